@@ -9,8 +9,10 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from rpg.language.harmless import FINE
-from rpg.language.telling import may_tell, tells
+from rpg.language.harmless import FINE, PEOPLE
+from rpg.language.lexicon import plural_of
+from rpg.language.smalltalk import is_strange
+from rpg.language.telling import may_tell, may_tell_how, tells
 from rpg.language.tokens import Token
 from rpg.language.word_lists import listed
 
@@ -47,7 +49,7 @@ _FREE = FINE | listed(
 )
 _WHOSE = listed("any the its their whose every initial starting start exact final")
 _IS = listed("is are 's will be was were counts as remains stays")
-_COUNTED = listed("second seconds minute minutes step steps try tries attempt attempts time times hour hours")
+_COUNTED = listed("second seconds minute minutes month months year years day days week weeks step steps try tries attempt attempts time times hour hours")
 _ASKED = listed("does do did is are was were has have")
 _TRIES = listed("do handle solve manage complete pass achieve this that it")
 _BINDING = listed("must should shall may not never without unless until if only except but instead")
@@ -59,7 +61,9 @@ def of_the_task(tokens: Sequence[Token]) -> bool:
     words = [token.word for token in tokens]
     if not 2 < len(words) <= _LONGEST or any(token.kind not in ("word", "number", "punct") for token in tokens):
         return False
-    return _left_open(words) or _asks_of_who_tries(tokens, words) or _told(tokens, words)
+    return (
+        _left_open(words) or _asks_of_who_tries(tokens, words) or _told(tokens, words) or _studied(tokens, words)
+    )
 
 
 def _left_open(words: list[str]) -> bool:
@@ -98,3 +102,30 @@ def _of_blocks(tokens: Sequence[Token], words: list[str], n: int) -> bool:
         return False
     counts = words[n + 1 : n + 2] and words[n + 1] in _TASK | _COUNTED
     return not (counts or (words[n - 1] in _TASK and tokens[n].many))
+
+
+_STUDIES = frozenset(
+    form
+    for verb in listed(
+        "probe test check measure assess study examine investigate describe discuss report mention propose master learn "
+        "know teach train evaluate publish analyze explain love enjoy like"
+    )
+    for form in (verb, plural_of(verb), f"{verb}d" if verb.endswith("e") else f"{verb}ed")
+) | listed("studied taught knew")
+_TOPICS = listed("object objects this it that")
+
+
+def _studied(tokens: Sequence[Token], words: list[str]) -> bool:
+    """ "This probes object permanence", "Piaget described this", "toddlers master this at 18 months": who deals with
+    it, or what it is good for."""
+    begin = 1 if words[0] in ("the", "our", "my", "many", "most", "some") else 0
+    verb = next((n for n in range(begin + 1, begin + 4) if words[n : n + 1] != [] and words[n] in _STUDIES), 0)
+    who = words[begin:verb]
+    known = who in (["this"], ["it"], ["that"]) or all(is_strange(word) or word in PEOPLE for word in who)
+    behind = range(verb + 1, len(words))
+    if not verb or not known or not behind or not _BINDING.isdisjoint(words):
+        return False
+    return not any(
+        words[n] not in _TOPICS and (_of_blocks(tokens, words, n) or (is_strange(words[n]) and may_tell_how(words[n])))
+        for n in behind
+    )

@@ -1,34 +1,44 @@
-"""What something is called: "build a traffic light: red on top, yellow in the middle, green at the bottom".
+"""What something is called: "build a traffic light: red on top, yellow in the middle, green at the bottom"; "imagine a
+snowman. A big block is at the bottom ..."; "make a chimney, a tower of five".
 
-The name means nothing here, and nothing of the task hangs on it where all is told behind a colon. No name is passed
-over that tells how many blocks there are or how they look, or of a shape that the blocks would have.
+The name means nothing here, and nothing of the task hangs on it where all is told behind a colon, or where what stands
+behind another mark tells of nothing but what is at its bottom, in its middle, on its left and so on, or which figure it
+is. No name is passed over that tells how many blocks there are or how they look, or of a shape that the blocks would
+have.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import pairwise
 
 from rpg.language import lexicon
-from rpg.language.spelling import LONG_WORD, nearest, slip, vocabulary
+from rpg.language.phrases import length_at
+from rpg.language.slips import slips_of
+from rpg.language.spelling import vocabulary
+from rpg.language.telling import SHAPES, may_tell, tells
+from rpg.language.titles import commanded
 from rpg.language.tokens import Token
 
 _STOPS = frozenset({".", "!", "?", ";"})
 _MAKING = frozenset({"make", "build", "create", "form", "construct", "assemble", "show", "draw", "design", "produce"})
 _LEADS = frozenset({"please", "now", "can", "could", "you", "i", "want", "would", "like", "let", "us", "to", "me",
                     "this", "is", "here", "should", "see", "must", "will", "we", "need", "my", "students", "kids",
-                    "children", "the", "robot", "arm", *_MAKING})  # fmt: skip
+                    "children", "the", "robot", "arm", "it", "he", "she", "imagine", "think", "of", "picture", "do",
+                    "know", "how", "about", *_MAKING})  # fmt: skip
 _ARTICLES = frozenset({"a", "an", "the", "my", "our", "some", "one"})
-_OUT_OF = frozenset({"with", "from", "using", "of", "out"})
-_SHAPES = frozenset({
-    "zigzag", "zig", "zag", "spiral", "hexagon", "pentagon", "octagon", "polygon", "diamond", "rhombus", "star",
-    "heart", "arc", "arch", "semicircle", "wave", "curve", "helix", "trapezoid", "trapezium", "parallelogram", "oval",
-    "ellipse", "sphere", "dome", "cylinder", "cone", "ball", "snake", "worm", "diagonal", "chevron",
-})  # fmt: skip
+_OUT_OF = frozenset({"with", "from", "using", "of", "out", "made", "built"})
+_SHAPES = SHAPES | {
+    "zigzag", "spiral", "diamond", "star", "heart", "wave", "ball", "snake", "worm", "diagonal",
+}  # fmt: skip
 """Names of shapes: a row of blocks would be none of these."""
 _THINGS = frozenset({"robot", "sandwich", "car", "face", "bridge", "gate", "table", "bed"})
 """Names that have another meaning beside blocks, or nearly that of a word with one."""
 _LONGEST = 3
 """So many words is a name long at most."""
+_PARTS = ({"top"}, {"bottom", "base"}, {"middle", "center"}, {"left"}, {"right"}, {"first"}, {"second"}, {"third"})
+"""What something has that is told part by part."""
+_POINTING = frozenset({"it", "its", "them", "they"})
 
 
 def without_names(tokens: list[Token]) -> tuple[list[Token], list[str]]:
@@ -39,8 +49,9 @@ def without_names(tokens: list[Token]) -> tuple[list[Token], list[str]]:
     while at < len(tokens):
         begins = not out or out[-1].word in _STOPS
         name, end = next(_named(tokens, at), ("", at)) if begins else ("", at)
+        name, end = (name, end) if name else next(_lined_up(tokens, at), ("", at))
         if name:
-            notes.append(f"'{name}' is what is told behind the colon")
+            notes.append(f"'{name}' is what is told behind it")
             at = end
         else:
             out.append(tokens[at])
@@ -62,9 +73,65 @@ def _named(tokens: list[Token], start: int) -> Iterator[tuple[str, int]]:
         end += 1
     name = tokens[article + 1 : end]
     colon = _behind_stuff(words, end)
-    more = colon + 1 < len(words) and words[colon] == ":" and words[colon + 1] not in _STOPS
+    more = colon + 1 < len(words) and words[colon + 1] not in _STOPS
     if more and name and any(map(_strange, name)) and not any(map(_tells, name)):
-        yield " ".join(token.raw for token in name), colon + 1
+        said = _that_is(tokens, colon)
+        meant = words[colon] == ":" or said > colon + 1
+        if meant or (words[colon] in _STOPS | {","} and _all_told(tokens, name, colon)):
+            yield " ".join(token.raw for token in name), said
+
+
+def _that_is(tokens: list[Token], mark: int) -> int:
+    """The position behind a mark, and behind "i.e." or "that is" there."""
+    words = [token.word for token in tokens]
+    said = mark + 1
+    if words[mark] in (",", "-", "("):
+        said += length_at(words, said, (("that", "is"), ("namely",))) or tokens[said].raw.startswith("i.e")
+        said += said > mark + 1 and words[said : said + 1] == [","]
+    return said
+
+
+def _all_told(tokens: list[Token], name: list[Token], mark: int) -> bool:
+    """Whether all that stands behind a mark tells how something is made, and nothing else that is to be done."""
+    behind = tokens[mark + 1 :]
+    words = [token.word for token in behind]
+    again = any(token.word in words or may_tell(token.word) for token in name)
+    listed = any(one in ("and", "then", ",") and other in lexicon.COMMANDS for one, other in pairwise(words))
+    pointed = next((n for n, word in enumerate(words) if word in _POINTING), len(words))
+    of_it = pointed < len(words) and not any(map(tells, behind[:pointed]))
+    if again or listed or of_it or commanded(behind):
+        return False
+    return sum(not part.isdisjoint(words) for part in _PARTS) > 1 or (words[0] in _ARTICLES and _one_figure(words))
+
+
+def _one_figure(words: list[str]) -> bool:
+    """ "A (tall) tower of five": one figure, and no list of several."""
+    figures = [n for n, word in enumerate(words) if word in lexicon.STRUCTURE]
+    return len(figures) == 1 and figures[0] < _LONGEST and lexicon.STRUCTURE[words[figures[0]]][1] is False
+
+
+def _lined_up(tokens: list[Token], at: int) -> Iterator[tuple[str, int]]:
+    """The name of so many things of which it is said how they are lined up, and the position behind it: "a skyline of
+    (three towers in a row)", "a rack of (12 cubes, 3 rows by 4 columns)"."""
+    words = [token.word for token in tokens]
+    of = next((n for n in range(at + 2, at + _LONGEST + 1) if words[n : n + 1] == ["of"]), 0)
+    if words[at] not in _ARTICLES or not of or of + 2 > len(words) or tokens[of + 1].many < 2:
+        return
+    name = tokens[at + 1 : of]
+    end = next((n for n in range(of, len(words)) if words[n] in _STOPS), len(words))
+    things = next((n for n in range(of + 2, end) if words[n] not in _LOOKS), end)
+    said = " ".join(words[things + 1 : end])
+    several = things < end and (lexicon.BLOCK.get(words[things]) or lexicon.STRUCTURE.get(words[things], ("", False))[1])
+    lined = any(line in said for line in _LINED) or {"rows", "columns"} <= {*words[things:end]}
+    if several and lined and all(map(_strange, name)) and not any(map(_tells, name)) and name[-1].word not in _UPRIGHT:
+        yield " ".join(token.raw for token in name), of + 1
+
+
+_LOOKS = lexicon.COLOR.keys() | lexicon.SIZE.keys() | lexicon.NUMBER.keys() | {"and", ","}
+_LINED = ("in a row", "in one row", "in a line", "in one line", "in a straight row", "in a straight line")
+_UPRIGHT = frozenset({"facade", "fence", "window", "screen", "shelf", "bookshelf", "shelves", "cupboard", "cabinet",
+                      "curtain", "poster", "billboard", "building", "house", "gate", "hedge", "dam"})  # fmt: skip
+"""What would stand upright, of which rows and columns lie flat otherwise."""
 
 
 def _behind_stuff(words: list[str], at: int) -> int:
@@ -89,5 +156,4 @@ def _strange(token: Token) -> bool:
         return True
     if token.word in vocabulary() or len(token.word) < 3 or token.raw.isupper():
         return False
-    near = nearest(token.word, 1 if len(token.word) < LONG_WORD else 2)
-    return not any(len(known) > 2 and slip(token.word, known) for known in near)
+    return not slips_of(token.word)

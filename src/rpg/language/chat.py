@@ -5,9 +5,11 @@ A letter or a digit that is typed for a word may be one that is on a block: it i
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from rpg.language import lexicon
+from rpg.language.spelling import vocabulary
 from rpg.language.tokens import Token
 
 _TYPED = {
@@ -40,6 +42,7 @@ _MARKS = frozenset({"u", "n", "b", "c", "k", "r", "1", "2", "like", "kind", "sor
 
 def as_typed(tokens: list[Token]) -> list[Token]:
     """The tokens with the words that are meant."""
+    tokens = [_drawn_out(token) for token in tokens]
     words = [token.word for token in tokens]
     if _MARKS.isdisjoint(words):
         return tokens
@@ -51,6 +54,17 @@ def as_typed(tokens: list[Token]) -> list[Token]:
         out += [tokens[at].saying(word) for word in said] if end > at else [tokens[at]]
         at = max(end, at + 1)
     return out
+
+
+def _drawn_out(token: Token) -> Token:
+    """ "Pleeeease", "aaaand", "sooo": the word that is drawn out; "XXX" shows what it says."""
+    if token.kind != "word" or _LONG.search(token.word) is None or token.raw.isupper():
+        return token
+    short = (_LONG.sub(r"\1" * many, token.word) for many in (1, 2))
+    return next((token.saying(word) for word in short if len(word) > 1 and word in vocabulary()), token)
+
+
+_LONG = re.compile(r"([a-z])\1\1+")
 
 
 def _meant(tokens: list[Token], words: list[str], at: int, hurried: bool) -> Iterator[tuple[list[str], int]]:

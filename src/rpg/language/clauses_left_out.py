@@ -14,8 +14,9 @@ from itertools import pairwise
 
 from rpg.language import harmless, lexicon
 from rpg.language.smalltalk import is_strange, takes_back
-from rpg.language.spoken_leads import DET, TESTS, bends
-from rpg.language.telling import may_tell, tells
+from rpg.language.spoken_leads import DET, PLACING, TESTS, bends, of_words, tells_nothing
+from rpg.language.telling import may_tell, may_tell_how, tells
+from rpg.language.told_again import ordered_again, told_again
 from rpg.language.tokens import Token
 from rpg.language.word_lists import listed
 
@@ -48,8 +49,6 @@ _NOT = listed(
     "something match matching matches read reads reading readable legible says written"
 )
 """With these a clause may be about what is asked for, whatever else is said in it."""
-_HOW = ("ly", "wise", "ways", "ward", "wards")
-"""So words end that tell how, and may tell how blocks lie."""
 _FEWEST, _TITLE = 3, 6
 """A clause has so many words at least, a title so many at most."""
 
@@ -60,7 +59,8 @@ def clauses_left_out(tokens: Sequence[Token]) -> Iterator[tuple[list[Token], str
     marks = [-1, *(n for n, word in enumerate(words) if word in _MARKS), len(words)]
     for before, behind in pairwise(marks):
         begin = before + 1
-        if only_talk(tokens[begin:behind]):
+        clause, others = tokens[begin:behind], [*tokens[:begin], *tokens[behind:]]
+        if (only_talk(clause) and ordered_again(words[begin:behind], tokens[behind:])) or _liked(clause, others):
             yield from _without(tokens, begin, behind)
             continue
         for at in range(begin + 2, behind - 1):
@@ -95,9 +95,42 @@ def only_talk(tokens: Sequence[Token]) -> bool:
         return False
     aimed = _lead(words, _AIMS)
     tried = titled or (bool(aimed) and not _TRYING.isdisjoint(words[aimed : aimed + 4]))
-    if any(not _harmless(token, words, n, tried) for n, token in enumerate(tokens) if n >= lead):
+    felt = _felt(words)
+    if any(n not in felt and not _harmless(token, words, n, tried) for n, token in enumerate(tokens) if n >= lead):
         return False
     return not _ANCHORS.isdisjoint(words) or tried
+
+
+def _felt(words: Sequence[str]) -> frozenset[int]:
+    """Where a clause points at what it is about, without telling of it: "(it) soothes my toddler", "(that) always
+    cracks me (up)", "grandpa swears by (it)", "because the intern messed (it) (up)"."""
+    if words[0] in _REASONS:
+        return frozenset(n for n, word in enumerate(words) if word in _POINTING | {"up"} or word.startswith("mess"))
+    if words[0] == "while" and words[1] in ("i", "we", "he", "she") and words[-1] in _SEEN:
+        return frozenset({2})  # "while I grab a coffee"
+    verb = 1 + (words[1:2] != [] and words[1] in _MERELY)
+    moved = words[0] in _POINTING and words[verb : verb + 1] != [] and words[verb].endswith("s")
+    if moved and words[verb + 1 : verb + 2] != [] and words[verb + 1] in _WHOM and is_strange(words[verb]):
+        return frozenset({0, verb - 1, *([len(words) - 1] if words[-1] in ("up", "down") else [])})
+    trusted = words[-1] == "it" and words[-2] in ("by", "about", "of", "for") and not harmless.PEOPLE.isdisjoint(words[:2])
+    return frozenset({len(words) - 1} if trusted else ())
+
+
+def _liked(clause: Sequence[Token], others: Sequence[Token]) -> bool:
+    """ "My gripper hates tight gaps": what somebody likes or hates, if all of it is told besides."""
+    words = [token.word for token in clause]
+    verb = next((n for n in range(2, 4) if words[n : n + 1] != [] and words[n] in _LIKING), 0)
+    whose = verb > 0 and words[0] in DET and all(tells_nothing(word) for word in words[1:verb])
+    told = words[verb + 1 :]
+    plain = whose and bool(told) and of_words(clause) and (PLACING | _NOT).isdisjoint(told)
+    return plain and all(tells_nothing(word) or told_again(told, n, others) for n, word in enumerate(told))
+
+
+_LIKING = listed("likes loves prefers hates dislikes adores enjoys fears detests")
+_REASONS = listed("because since cause cos coz")
+_POINTING = listed("it this that")
+_MERELY = listed("always just really simply never actually")
+_WHOM = _OURS - listed("i we he she nobody") | {"them", "him"}
 
 
 def _harmless(token: Token, words: Sequence[str], n: int, tried: bool) -> bool:
@@ -116,6 +149,6 @@ def _harmless(token: Token, words: Sequence[str], n: int, tried: bool) -> bool:
         return True
     if word in _NOT or word in harmless.TIMES or (bends(word) and not tried):
         return False
-    if is_strange(word) and word.endswith(_HOW):
+    if is_strange(word) and may_tell_how(word):
         return False
     return not (tells(token) if tried else may_tell(word))

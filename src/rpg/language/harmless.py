@@ -31,7 +31,7 @@ _PEOPLE = f"""
     minister mayor king queen prince princess knight wizard witch fairy santa priest nun monk pastor bishop rabbi imam
     headmaster headmistress principal tutor lecturer docent librarian janitor caretaker babysitter nanny cousin
     hero heroine genius angel devil boss chief crew staff committee jury sweetheart sweetie darling honey
-    dear buddy chap fella lad lass dude bro sis
+    dear buddy chap fella lad lass dude bro sis grader freshman sophomore schoolboy schoolgirl preschooler
 """
 """Who somebody is."""
 _ANIMALS = """
@@ -156,7 +156,8 @@ _INTERJECTIONS = """
     greetings bye goodbye thanks thank ta thx welcome amen bingo voila bonjour hola aloha congrats congratulations
     sorry pardon please okay ok alright yes yeah yep sure lol omg oh ah aha well hmm ugh ouch yikes hallelujah
     tyvm tysm thxx kthx kthxbye thnx tks tnx plzz plss thankyou cheerio toodles
-    ooh oo aw aww yippee tada hurrah um uh er erm hm mm yo jeez blimey crikey
+    ooh oo aw aww yippee tada hurrah um uh er erm hm mm yo jeez blimey crikey bruh dawg ngl imho tbh lmao rofl ayo
+    gosh darn
 """
 _NAMES = """
     tom tim jim john jack james peter paul max ben sam dan david daniel michael mike chris thomas george henry

@@ -63,7 +63,7 @@ _WHOLE = (
     "no need|reason to hurry|rush|worry|panic|be_afraid",
     "no hurry|rush|problem|problems|worries|stress|pressure|panic|trouble|offence|offense|joke|kidding|doubt|"
     "wonder|idea|"
-    "big_deal|pun_intended|sweat|excuses|questions|questions_asked|arguments at_all|please|though|today|really|here?",
+    "big_deal|biggie|fuss|frills|pun_intended|sweat|excuses|questions|questions_asked|arguments at_all|please|though|today|really|here?",
     "i|we am|are not joking|kidding",
     "this|that|it is not a joke|prank",
     "watch|look|listen|observe|behold",
@@ -323,6 +323,13 @@ _WHOLE = (
     "it|this|that will|would|should|does|need not take long|a_minute|forever|much_time|you_long",
     "is|was|does|did not? it|this|that|he|she not?",
     "if it|that is all? the_same|one to you",
+    "it|this|that|that_one|this_one|they|those|these is|are|'s very|really|quite? hers|his|theirs|yours|ours|mine|"
+    "not_mine|fragile|delicate|precious|valuable|expensive|reserved|taken|borrowed|an_heirloom|a_keepsake",
+    "and|et|then? voila|presto|bingo|high_five|drumroll please?",
+    "capisce|comprende|savvy|kapish|mkay|gosh|knock_knock|drumroll|abracadabra|beep_boop",
+    "gosh|darn|dang|damn|drat|gosh_darn it",
+    "the rest is history",
+    "last time it|this|that took ages|forever|hours|so_long",
     "poor|bless|lucky|clever thing|her|him|them|you|me|boy|girl|dear|us",
 )
 TIMES = (

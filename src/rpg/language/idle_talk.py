@@ -11,7 +11,7 @@ from collections.abc import Collection, Sequence
 from rpg.language import harmless, lexicon
 from rpg.language.about_the_task import of_the_task
 from rpg.language.idioms import IDIOMS, TIMELY
-from rpg.language.lead_ins import set_in
+from rpg.language.lead_ins import on_behalf, set_in
 from rpg.language.reasons import meanwhile, reason_or_aim
 from rpg.language.smalltalk import is_strange, small_talk
 from rpg.language.spoken_wishes import for_what
@@ -113,7 +113,8 @@ def reason_at(tokens: Sequence[Token], at: int) -> bool:
         return False
     said = words[0] in ("if", "with", "without", "for", "in", "just", "to", "as") and IDIOMS.whole(words)
     timely = words[0] not in ("when", "once", "by") and TIMELY.whole(words)
-    wanted = words[0] in ("for", "as", "according", "per", "with", "using") and set_in(words) == len(words)
+    settled = words[0] in ("for", "as", "according", "per", "with", "using") or on_behalf(words)
+    wanted = bool(settled) and set_in(words) == len(words)
     careful = words[0] in ("with", "without", "in") and takes_care(words)
     wanted = wanted or for_what(tokens, at)
     formed = reason_or_aim(tokens[at:]) or polite_condition(words) or meanwhile(tokens[at:]) or careful or wanted

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from rpg.language import lexicon
-from rpg.language.nicknames import PLACES, labels, named_behind, names_at, said, thing_at
+from rpg.language.nicknames import PLACES, labels, named_behind, names_at, said, thing_at, things_at
 from rpg.language.phrases import length_at
 from rpg.language.tokens import Token
 
@@ -106,7 +106,7 @@ def _named(tokens: list[Token], words: list[str], at: int, found: Sequence[_Nami
             continue  # it shows that letter
         if begin >= len(words) or not (verb or (found and (labelled or words[begin] in _ARTICLES))):
             continue
-        thing = _thing(words, begin)
+        thing = things_at(words, begin)
         if thing > begin and (thing == len(words) or words[thing] in _CLOSED) and not _listed(words, thing):
             own = begin + (words[begin] in _ARTICLES)
             yield _Naming(at, thing, tokens[name:end], _look(tokens[own:thing]))
@@ -135,17 +135,6 @@ def _listed(words: list[str], at: int) -> bool:
 def _look(thing: list[Token]) -> list[Token]:
     """A thing without its article; "blue one" as a block."""
     return [*thing[:-1], thing[-1].saying("block")] if thing[-1].word == "one" else thing
-
-
-def _thing(words: list[str], at: int) -> int:
-    """The position behind "the red cube", "white cubes"; `at` where nothing like it begins."""
-    if (end := thing_at(words, at)) > at:
-        return end
-    looks = end = at + (words[at] in _ARTICLES)
-    while end < len(words) and words[end] in _LOOKS:
-        end += 1
-    several = end < len(words) and (lexicon.BLOCK.get(words[end]) or lexicon.PATCH.get(words[end]))
-    return end + 1 if several and end > looks else at
 
 
 def _forms(naming: _Naming) -> Iterator[tuple[list[str], list[Token]]]:

@@ -183,10 +183,15 @@ def _for_them(word: str) -> bool:
     return word in ("'s", "display", "exhibit") or (word.isalpha() and not may_tell(word))
 
 
+def on_behalf(words: Sequence[str]) -> int:
+    """How many of the first words lead to whom or what it is done for: "in honor of (the queen)"."""
+    return max((len(lead) for lead in _FOR_WHOM if tuple(words[: len(lead)]) == lead), default=0)
+
+
 def set_in(words: Sequence[str]) -> int:
     """How many of the first words are a setting that nothing hangs on: "as part of the demonstration", "according to
     the manual", "using your arm", "on behalf of the whole class"."""
-    whom = max((len(lead) for lead in _FOR_WHOM if tuple(words[: len(lead)]) == lead), default=0)
+    whom = on_behalf(words)
     behind = next((n for n in range(whom, len(words)) if words[n] in (",", ":")), len(words)) if whom else 0
     if behind > whom and all(map(_for_them, words[whom:behind])):
         return behind

@@ -35,6 +35,7 @@ def named_behind(tokens: list[Token], words: list[str], at: int, goes_on: bool) 
     call = length_at(words, at, _CALL)
     thing = thing_at(words, at + call)
     if thing <= at + call:
+        yield from _several_named(tokens, words, at)
         return
     verb = length_at(words, thing, _AS if call else (*_IS, *_AS) if goes_on else _IS)
     if not (call or verb or goes_on) or (words[at] == "let" and call == 1 and words[thing : thing + 1] != ["be"]):
@@ -58,6 +59,23 @@ def named_behind(tokens: list[Token], words: list[str], at: int, goes_on: bool) 
         yield at + call, thing, name, end
 
 
+def _several_named(tokens: list[Token], words: list[str], at: int) -> Iterator[tuple[int, int, int, int]]:
+    """ "The green blocks are the frogs": what several are called that are named so again; one of them would be no
+    others."""
+    things = things_at(words, at)
+    verb = length_at(words, things, _ARE) if things > at else 0
+    name = things + verb + (words[things + verb : things + verb + 1] == ["the"])
+    if not verb or name >= len(words) or not strange(tokens[name]) or words[name + 1 : name + 2] not in _ENDED:
+        return
+    called = words[name]
+    if (called.endswith("s") or called in _ALIKE) and words.count(called) > 1:
+        yield at, things, name, name + 1
+
+
+_ARE = (("are", "called"), ("are", "named"), ("are",), ("represent",), ("stand", "for"), ("play",), ("serve", "as"))
+_ALIKE = frozenset({"sheep", "mice", "people", "men", "women", "children", "fish", "geese", "deer"})
+"""Plurals without an "s"."""
+_ENDED = ([], *([mark] for mark in _BREAKS))
 ROLES = frozenset({"landmark", "target", "base", "home", "marker", "reference", "key", "distractor"})
 """Words with a meaning of their own, by which a thing may be called as well."""
 _MERELY = frozenset({"landmark", "target", "marker", "reference"})
@@ -114,6 +132,17 @@ def thing_at(words: list[str], at: int) -> int:
     noun = words[end] if end < len(words) else ""
     single = lexicon.BLOCK.get(noun) is False or lexicon.PATCH.get(noun) is False or noun == "one"
     return end + 1 if single and end > looks else at
+
+
+def things_at(words: list[str], at: int) -> int:
+    """The position behind "the red cube", "white cubes"; `at` where nothing like it begins."""
+    if (end := thing_at(words, at)) > at:
+        return end
+    looks = end = at + (words[at : at + 1] != [] and words[at] in _OWN | _ONE)
+    while end < len(words) and any(words[end] in table for table in _LOOKS):
+        end += 1
+    several = end < len(words) and (lexicon.BLOCK.get(words[end]) or lexicon.PATCH.get(words[end]))
+    return end + 1 if several and end > looks else at
 
 
 def strange(token: Token) -> bool:

@@ -14,8 +14,9 @@ from rpg.language.harmless import ANIMALS, INTERJECTIONS, OCCASIONS, PEOPLE, THI
 from rpg.language.idle_talk import idle, idle_at_an_end, of_their_doings, reason_at
 from rpg.language.lead_ins import command_behind, state_behind, thing_behind
 from rpg.language.phrases import length_at
+from rpg.language.signatures import signature
 from rpg.language.spelling import vocabulary
-from rpg.language.spoken_leads import judged
+from rpg.language.spoken_leads import judged, name_alone
 from rpg.language.spoken_wishes import led_by_form
 from rpg.language.talk_forms import addressed_at
 from rpg.language.telling import tells
@@ -40,7 +41,7 @@ _CONNECTING = frozenset({"because", "since", "as", "so", "cause", "cos", "coz", 
                          "whenever", "if", "by", "today", "tonight", "now", "right", "immediately", "at", "this",
                          "soon", "asap", "real", "quickly", "in", "just", "straight", "pretty", "please",
                          "once", "to", "with", "provided", "such", "while", "whilst", "until", "till", "during",
-                         "without", "unless", "using", "according", "per"})  # fmt: skip
+                         "without", "unless", "using", "according", "per", "on"})  # fmt: skip
 """What a reason or a time of the day begins with that nothing parts from the task in front of it."""
 _PLEASE = frozenset({"please", "just", "now", "then", "could", "can", "kindly"})
 _TURNED = frozenset({"would", "will", "i", "we", "let", "do", "you", "make"})
@@ -83,6 +84,9 @@ def _said_around(tokens: list[Token]) -> Iterator[tuple[int, int]]:
     """Where idle talk stands: in sentences of its own, set off in front of a task, behind it or within it, and
     behind it where nothing sets it off."""
     begin = 0
+    if signed := signature(tokens):
+        yield signed, len(tokens)
+        tokens = tokens[:signed]
     for end in [*(n for n, token in enumerate(tokens) if token.word in _ENDS), len(tokens)]:
         if end > begin:
             yield from _in_sentence(tokens, begin, end, min(end + 1, len(tokens)))
@@ -95,7 +99,8 @@ def _in_sentence(tokens: list[Token], begin: int, end: int, stop: int) -> Iterat
         return
     marks = [n for n in range(begin, end) if tokens[n].word in _MARKS]
     parts = _between(tokens, begin, end)
-    if idle_at_an_end(tokens[begin:end]) or _all_idle(parts):
+    named = begin == 0 and name_alone(tokens[:end], tokens[stop:])
+    if named or idle_at_an_end(tokens[begin:end]) or _all_idle(parts):
         yield begin, stop
         return
     first, last = begin, end

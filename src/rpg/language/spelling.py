@@ -251,7 +251,7 @@ def read_words(tokens: list[Token]) -> tuple[list[Token], list[str], list[Diagno
             out.append(replace(token, raw=token.raw.lower()) if quiet else token)
         elif token.raw.isupper() and not shouting:
             out.append(replace(token, kind="literal", value=token.raw))
-        elif token.word not in _NO_SLIPS and (match := _one_match(token.word)):
+        elif token.word not in NO_SLIPS and (match := _one_match(token.word)):
             notes.append(f"read {token.raw!r} as {match!r}")
             out.append(replace(token, word=match, raw=match))
         else:
@@ -374,7 +374,7 @@ _MAKERS = _SPELLERS | _WRITERS | {"make", "form", "build", "create", "out"}
 """Before "the word" these ask for the word behind it."""
 
 
-_NO_SLIPS = OTHER_WORDS | HINTS.keys() | EVERYDAY
+NO_SLIPS = OTHER_WORDS | HINTS.keys() | EVERYDAY
 """Words that are known to mean something else than what they look like."""
 
 

@@ -10,8 +10,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rpg.language import lexicon
-from rpg.language.smalltalk import takes_back
-from rpg.language.telling import may_tell
+from rpg.language.harmless import OCCASIONS
+from rpg.language.slips import slips_of
+from rpg.language.smalltalk import is_strange, takes_back
+from rpg.language.spelling import vocabulary
+from rpg.language.telling import may_tell, may_tell_how, tells
+from rpg.language.told_again import ordered_again, told_again
 from rpg.language.tokens import Token
 from rpg.language.word_lists import listed
 
@@ -85,27 +89,77 @@ LONGEST = 8
 
 
 def heading(tokens: Sequence[Token]) -> int:
-    """How many of the first words are a heading: "Colour logic drill:", "Grandma's birthday surprise:"."""
-    words = [token.word for token in tokens]
-    end = next((n for n in range(min(LONGEST + 1, len(words) - 1)) if sets_off(tokens, n)), 0)
+    """How many of the first words are a heading: "Colour logic drill:", "Grandma's birthday surprise:", "variant with
+    distractors (from the pilot study):"."""
+    end = next((n for n in range(min(2 * LONGEST, len(tokens) - 1)) if sets_off(tokens, n)), 0)
     mark = end
-    if end > 1 and tokens[end - 1].kind == "number" and words[end - 2] in TESTS:
+    if end > 1 and tokens[end - 1].kind == "number" and tokens[end - 2].word in TESTS:
         end -= 1
-    if (
-        not end
-        or (mark + 3 > len(words) and tokens[mark + 1].kind != "equation")
-        or not of_words(tokens[:end])
-        or "'re" in words[:end]
-    ):
+    told = _without_aside(tokens[:end])
+    words = [token.word for token in told]
+    short = mark and mark + 3 > len(tokens) and tokens[mark + 1].kind != "equation"
+    if not 0 < len(told) <= LONGEST or short or not of_words(told) or "'re" in words:
         return 0
-    tried = words[end - 1] in TESTS and not any(w in table for w in words[:end] for table in _SHAPES)
-    tried = tried and _NOT.isdisjoint(words[:end])
-    kinds = {word for word in words[: end - 1] if word.startswith(_KINDS)} if tried else set()
-    seen = tuple(words[:3]) in _TRYING and not any(w in table for w in words[:end] for table in _SHAPES)
-    plain = all(map(tells_nothing, words[:end])) or (
-        tried and not any(bends(word) for word in words[: end - 1] if word not in kinds)
+    shaped = any(w in table for w in words for table in _SHAPES)
+    plainly = _NOT.isdisjoint(words) and not shaped
+    tried = words[-1] in TESTS and plainly
+    kinds = {word for word in words[:-1] if word.startswith(_KINDS)} if tried else set()
+    plain = all(_names_nothing(told, n) for n in range(len(told))) or (
+        tried and not any(bends(word) for word in words[:-1] if word not in kinds)
     )
-    return mark + 1 if plain or (seen and _NOT.isdisjoint(words[:end])) else 0
+    seen = tuple(words[:3]) in _TRYING and plainly
+    behind = tokens[mark + 1 :]
+    named = plain or seen or _named_again(told, behind)
+    return mark + 1 if named and ordered_again(words, behind) else 0
+
+
+def name_alone(tokens: Sequence[Token], behind: Sequence[Token]) -> bool:
+    """Whether the first sentence of a text is but a name of what the others tell: "Traffic light.", "Reversal of a
+    stack."; with a verb that is not known it would be something to do."""
+    words = [token.word for token in tokens]
+    if not 0 < len(words) <= LONGEST or not behind or behind[0].word in _THEN or not _OBJECTS.isdisjoint(words):
+        return False
+    strange = any(word not in vocabulary() for word in words)
+    plain = all(_names_nothing(tokens, n) for n in range(len(words)))
+    again = any(word in ("of", "with") for word in words[1:]) and _named_again(tokens, behind)
+    return strange and of_words(tokens) and (plain or again) and ordered_again(words, behind)
+
+
+_THEN = listed("then next afterwards now and")
+_OBJECTS = listed("everything all anything something it this that these those them")
+
+
+def _without_aside(tokens: Sequence[Token]) -> Sequence[Token]:
+    """A heading without what it says in brackets, "size ordering (from the infant paper)", if that tells nothing."""
+    begin = next((n for n, token in enumerate(tokens) if token.word == "("), len(tokens))
+    aside = tokens[begin + 1 : -1]
+    closed = len(aside) > 1 and tokens[-1].word == ")" and aside[0].word in _FROM and of_words(aside)
+    return tokens[:begin] if closed and all(t.word in OCCASIONS or tells_nothing(t.word) for t in aside) else tokens
+
+
+_FROM = listed("from as in by after per see like for")
+
+
+def _names_nothing(tokens: Sequence[Token], n: int) -> bool:
+    """Whether a word of a heading carries nothing: "(treasure) room" is a name, and so is "long-(horizon)"."""
+    word, after = tokens[n].word, [token for token in tokens[n + 1 : n + 3] if token.word != "-"]
+    named = word == "room" and not after and n > 0 and tells_nothing(tokens[n - 1].word)
+    bound = bool(after) and after[0].joined and is_strange(after[0].word) and not tells(tokens[n])
+    how = is_strange(word) and may_tell_how(word)
+    return named or (tells_nothing(word) and not how) or (bound and not bends(word))
+
+
+def _named_again(told: Sequence[Token], behind: Sequence[Token]) -> bool:
+    """Whether a heading names what is told behind it as well: "long-horizon variant with letter cubes: (stack A ...)",
+    "two teams of three: (three white blocks ...)"."""
+    words = [token.word for token in told]
+    named = any(word in TESTS or word not in vocabulary() for word in words)
+    return named and (_NOT | PLACING).isdisjoint(words) and all(
+        _names_nothing(told, n) or told_again(words, n, behind) for n in range(len(words))
+    )
+
+
+PLACING = listed("on in onto into at to inside next against off")
 
 
 _TRYING = {("let", who, done) for who in ("us", "me") for done in ("see", "try", "test", "check", "find", "practise")}
@@ -157,8 +211,10 @@ _CLIPPED = listed("'s 'd 'm 're 've 'll -")
 
 
 def tells_nothing(word: str) -> bool:
-    """Whether a word of a lead carries nothing."""
-    return not (may_tell(word) and word not in _HARMLESS_HERE) and not bends(word) and not takes_back([word])
+    """Whether a word of a lead carries nothing, and is no slip for one that does."""
+    if (may_tell(word) and word not in _HARMLESS_HERE) or bends(word) or takes_back([word]):
+        return False
+    return word in vocabulary() or not any(map(may_tell, slips_of(word)))
 
 
 def bends(word: str) -> bool:

@@ -17,8 +17,8 @@ from rpg.language.word_lists import listed
 def led_by_form(tokens: Sequence[Token], commanded: bool) -> int:
     """How many of the first words of a text are such a lead. `commanded`: behind what it is comes a command, so that it
     may be like this at the start."""
-    ways = (heading, purpose, dared, glad_if, favour, clause, announcement, ability)
-    return (0 if commanded else subject(tokens)) or next((led for way in ways if (led := way(tokens))), 0)
+    ways = (heading, asked_of_it, purpose, dared, glad_if, favour, clause, announcement, ability)
+    return (0 if commanded else subject(tokens) or included(tokens)) or next((led for way in ways if (led := way(tokens))), 0)
 
 
 _LIGHTLY = (
@@ -74,6 +74,44 @@ def ability(tokens: Sequence[Token]) -> int:
     return 0
 
 
+def included(tokens: Sequence[Token]) -> int:
+    """How many of the first words wish for a task of which it is told what comes out: "the authors should include a
+    task in which (red is on blue)", "how about a scene where (...)", "add an episode with (a row of three)"."""
+    words = [token.word for token in tokens]
+    for at in range(1, min(2 * LONGEST, len(words) - 3)):
+        told = next((len(x) for x in _IN_IT if tuple(words[at : at + len(x)]) == x), 0)
+        if words[at - 1] in _INCLUDED and told:
+            break
+    else:
+        return 0
+    begin = next((n for n in range(at - 2, -1, -1) if words[n] in _SOME), -1)
+    ahead, sorts = words[: max(begin, 0)], words[begin + 1 : at - 1]
+    wished = not ahead or not _WISHED_FOR.isdisjoint(ahead)
+    plain = of_words(tokens[:at]) and all(map(tells_nothing, sorts)) and "had" not in ahead
+    plain = plain and all(word in _WISHED_FOR | _THEM | harmless.DOINGS or tells_nothing(word) for word in ahead)
+    figure = words[at] != "with" or words[at + 1] in BEGINS
+    return at + told if wished and plain and figure and (begin >= 0 or not ahead) else 0
+
+
+def asked_of_it(tokens: Sequence[Token]) -> int:
+    """How many of the first words ask whether who does it can: "can it (stack three blocks)?"."""
+    words = [token.word for token in tokens[:4]]
+    asked = words[:1] != [] and words[0] in ("can", "could", "will", "would") and words[1:2] in (["it"], ["he"], ["she"])
+    at = 2 + (words[2:3] == ["please"])
+    commands = at < len(words) and words[at] in lexicon.COMMANDS - (lexicon.POSTURE - {"put"})
+    return at if asked and commands else 0
+
+
+_INCLUDED = listed("task test scene scenario episode trial exercise example case variant problem challenge puzzle level")
+_IN_IT = (("in", "which"), ("where",), ("in", "that"), ("such", "that"), ("with",), ("which", "asks", "for"),
+          ("that", "asks", "for"), ("consisting", "of"))  # fmt: skip
+_SOME = listed("a an another one some")
+_WISHED_FOR = listed(
+    "include includes contain contains add adds have has need needs want wants like consider considers be about "
+    "propose suggest recommend see try test design imagine should would could must may can might 'd how what there "
+    "think of"
+)
+"""How a task is wished for, and not told of as one that there was."""
 _AGENTS = (
     *((det, who) for det in ("the", "a", "your", "our", "this")
       for who in ("robot", "arm", "agent", "policy", "model", "gripper", "system", "machine")),
@@ -103,7 +141,8 @@ _EAGER = (
     "behold the goal",
     "not to be fussy but", "not to be difficult but", "as far as i 'm concerned", "as far as i am concerned", "behold",
     "this time around", "this time round", "this time", "truth be told", "honest to god", "i challenge you to",
-    "hand on heart",
+    "hand on heart", "ideally", "hopefully", "honestly", "frankly", "seriously", "in an ideal world",
+    "in a perfect world",
     "for what it 's worth", "for what it is worth", "here 's what i 'm thinking", "here is what i am thinking",
     "here 's what i want", "here is what i want", "here 's the plan", "here is the plan", "here 's the thing",
     *(f"{just}do something {easy}{like}" for just in ("just ", "so just ", "please ", "")
@@ -257,7 +296,7 @@ def purpose(tokens: Sequence[Token]) -> int:
     begun = words[0] == "for" or words[1] in DET
     kept = words[1] in ("keep", "make", "get") and not _GLAD.isdisjoint(words[:end])
     aimed = words[0] == "to" and (kept or words[1] not in lexicon.VERB) and words[end] in (",", ":")
-    known = (begun or aimed) and of_words(tokens[:end]) and all(map(_of_an_aim, words[1:end]))
+    known = (begun or aimed) and of_words(tokens[:end]) and all(_of_an_aim(words, n) for n in range(1, end))
     return end + (words[end] in (",", ":")) if end and known and len(words) > end + 3 else 0
 
 
@@ -273,16 +312,26 @@ def for_what(tokens: Sequence[Token], at: int) -> bool:
     """Whether all that stands from here on says what it is for: "(stack them) for quality control", "as a warm-up
     exercise"; but not what has to be found, kept free or given for what is named behind "for"."""
     words = [token.word for token in tokens]
-    if words[at] == "as" and words[-1] in _TRIALS and words[at + 1] in DET:
+    if words[at] == "as" and words[at + 1] in DET and (words[-1] in _TRIALS or _as_token(words[at + 2 :])):
         return of_words(tokens[at:]) and all(word in _TRIED_SO or tells_nothing(word) for word in words[at + 1 :])
     if words[at] != "for" or len(words) < at + 2 or words[at + 1] in _SINGLY or not _FOR_IT.isdisjoint(words[:at]):
         return False
     lasting = words[-1] in harmless.TIMES and words[-1] not in ("day", "night", "today", "tonight", "tomorrow")
-    plain = of_words(tokens[at:]) and all(map(_of_an_aim, words[at + 1 :]))
+    plain = of_words(tokens[at:]) and all(_of_an_aim(words, n) for n in range(at + 1, len(words)))
     plain = plain and not lasting
     return plain and len(words) <= at + LONGEST
 
 
+def _as_token(words: Sequence[str]) -> bool:
+    """ "(As a) small token of (gratitude)", "(as a) proof of (concept)"; "as a ring of" would be a shape."""
+    at = next((n for n, word in enumerate(words) if word in _TOKENS), len(words))
+    return at < 2 and words[at + 1 : at + 2] in (["of"], ["to"], ["for"]) and len(words) > at + 2
+
+
+_TOKENS = listed(
+    "gesture token sign proof tribute favor gift reward present backup joke treat surprise precaution reminder "
+    "demonstration courtesy matter means act show test measure nod homage farewell welcome"
+)
 _SINGLY = listed("each every all both any some it them that this these those")
 _FOR_IT = listed(
     "room space place gap spot slot use using used take find look search choose pick swap exchange trade substitute "
@@ -292,13 +341,23 @@ _NO_PARTS = listed("later next transport display shipping shift loading safety i
 """Of an aim, and of nothing that there is."""
 
 
-def _of_an_aim(word: str) -> bool:
-    return word in _NO_PARTS or tells_nothing(word)
+def _of_an_aim(words: Sequence[str], n: int) -> bool:
+    """Whether a word of an aim carries nothing; "(for my) first (graders)" are people."""
+    counted = words[n] in lexicon.ORDINAL and words[n + 1 : n + 2] != [] and words[n - 1] in DET
+    of_ours = counted and words[n + 1] in harmless.PEOPLE | harmless.OCCASIONS - {"task"}
+    return of_ours or words[n] in _NO_PARTS or tells_nothing(words[n])
 
 
 def _goes_on(words: Sequence[str], n: int) -> bool:
     commanded = words[n] in lexicon.COMMANDS and words[n + 1] in _DONE_TO
-    return words[n] in _GOES_ON or commanded
+    thing = words[n] in _OF_ALL and any(word in table for word in words[n + 1 : n + 4] for table in _THINGS)
+    return words[n] in _GOES_ON or commanded or (thing and not _BOUND.isdisjoint(words[n + 2 :]))
+
+
+_OF_ALL = listed("the both all")
+_THINGS = (lexicon.COLOR, lexicon.BLOCK, lexicon.LETTER, lexicon.DIGIT, lexicon.STRUCTURE)
+_BOUND = listed("must should shall has have needs need ought")
+"""What stands behind a thing of which it is said how it has to be: "for traceability the blocks (must stand ...)"."""
 
 
 _DONE_TO = BEGINS | listed("all both every each me us my your these some two exactly at only just any")

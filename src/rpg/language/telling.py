@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from rpg.language import lexicon
+from rpg.language.harmless import EVERYDAY
 from rpg.language.tokens import Token
 from rpg.language.word_lists import listed
 
@@ -44,6 +45,18 @@ _OF_BLOCKS = listed(
 )
 
 
+SHAPES = listed(
+    "zig zag zigzags spirals hexagon pentagon octagon heptagon polygon rhombus arc arch semicircle crescent helix "
+    "trapezoid trapezium parallelogram oval ellipse sphere dome cylinder cone chevron herringbone honeycomb lattice "
+    "pentagram hexagram labyrinth maze serpentine horseshoe hourglass wedge whirl swirl coil vortex fishbone quincunx "
+    "meander asterisk cuboid prism tetrahedron boomerang squiggle wiggle curve wavy curvy curved"
+)
+"""Names of shapes that blocks have in no task, but that would be asked for."""
+
+_HOW = ("ly", "wise", "ways", "ward", "wards")
+"""So words end that tell how, and may tell how blocks lie."""
+
+
 def tells(token: Token) -> bool:
     """Whether a word tells of the task, wherever it stands."""
     shown = token.kind in ("number", "dims", "literal", "quote") or (len(token.raw) == 1 and token.raw.isupper())
@@ -53,4 +66,9 @@ def tells(token: Token) -> bool:
 def may_tell(word: str) -> bool:
     """Whether a word could tell of blocks even where people are spoken of."""
     handled = word in lexicon.VERB and word not in _LIGHT
-    return handled or word in _OF_BLOCKS or any(word in table for table in _ALWAYS)
+    return handled or word in _OF_BLOCKS or word in SHAPES or any(word in table for table in _ALWAYS)
+
+
+def may_tell_how(word: str) -> bool:
+    """Whether a word that is not known may tell how something is done, or how blocks lie: "crookedly"."""
+    return word.endswith(_HOW) and word not in EVERYDAY

@@ -11,8 +11,10 @@ from dataclasses import replace
 
 from rpg.language import lexicon
 from rpg.language.grammar.talk.people import PEOPLE
-from rpg.language.spelling import LONG_WORD, nearest, slip, vocabulary
+from rpg.language.slips import slips_of
+from rpg.language.spelling import vocabulary
 from rpg.language.spoken_leads import bends
+from rpg.language.telling import may_tell
 from rpg.language.tokens import Token
 from rpg.language.word_lists import listed
 
@@ -248,10 +250,9 @@ def _tells_the_sort(token: Token) -> bool:
 
 def _strange(token: Token) -> bool:
     """A word that means nothing here, and is no slip for one that does."""
-    if token.kind != "word" or token.word in vocabulary() or len(token.word) < 3 or bends(token.word):
+    if token.kind != "word" or token.word in vocabulary() or len(token.word) < 3 or bends(token.word) or may_tell(token.word):
         return False
-    near = nearest(token.word, 1 if len(token.word) < LONG_WORD else 2)
-    return not any(len(known) > 2 and slip(token.word, known) for known in near)
+    return not slips_of(token.word)
 
 
 def _one_name(token: Token) -> bool:

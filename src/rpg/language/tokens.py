@@ -47,7 +47,7 @@ _PIECES = re.compile(
   | (?P<smile>(?<![\w:;])[:;]-?[)(]+(?=\s*$|\s*[.!?,;]|\s+[A-Za-z]))
   | (?P<line>\n\s*(?=[A-Z][a-z]+\b|[a-z]+(?:\ [a-z]+)?\s*[:=]))
   | (?P<equation>(?:{_EQUATION.pattern})(?!\w))
-  | (?P<aside>\b(?:i\.e\.|e\.g\.|viz\.)[,:]?)
+  | (?P<aside>(?:\b(?:i\.e\.|e\.g\.|viz\.)|(?<=[,:(]\ )for\ (?:example|instance)\b(?!\ [A-Z]{2}))[,:]?)
   | (?P<short>\b(?:max|min)\b\.?(?=\s*(?:\d|one\b|two\b|three\b|four\b|five\b))|\b(?:max|min|approx)\.(?=\s))
   | (?P<numbered>\b(?:[Nn]o|[Nn]um)\.(?=\s?\d\b)|\b[Nn]r\b\.?(?=\s?\d\b)|[#№](?=\s?\d\b))
   | (?P<word>(?<!\w)['’]em\b|\bw/o?(?=\s))

@@ -72,7 +72,7 @@ _BEHIND = listed("of at to from in on with by standing sitting seated working")
 _THERE = listed("table desk front")
 _LIKE = FINE | PERSONAL | NAMES | OCCASIONS | THINGS | listed("little young younger older old new other whole shift 's")
 _OBJECTS = _DETS | _EACH | lexicon.NUMBER.keys() | lexicon.COLOR.keys() | lexicon.SIZE.keys() | lexicon.BLOCK.keys() | {
-    "them", "it", "both", "everything", "exactly", "together", "up"}  # fmt: skip
+    "them", "it", "both", "everything", "exactly", "together", "up", "out"}  # fmt: skip
 _OUT_OF = listed("of from with out using")
 
 

@@ -107,7 +107,8 @@ class BuiltinFrontEnd:
             refusal = None
         except Refusal as raised:
             found, refusal = (None, raised.diagnostics), raised
-        if found[0] is None and (plain := without_remarks(told[0])) is not None:
+        plain = without_remarks(told[0]) if found[0] is None else None
+        if plain is not None:
             rest, remarks = plain
             with suppress(Refusal):
                 kept = (rest, _strays_of(rest, *told))
@@ -127,7 +128,7 @@ class BuiltinFrontEnd:
         if found[0] is None and not chosen and code in _NOT_UNDERSTOOD:
             found = self._apart(told, text, name, seed, author, mended) or found
         if found[0] is None and not chosen and code in _NOT_UNDERSTOOD | _NOT_KNOWN:
-            found = self._shorter(_without_talk(told), text, name, seed, author, mended) or found
+            found = self._shorter(_without_talk(told, plain), text, name, seed, author, mended) or found
         if found[0] is None and refusal is not None:
             found = self._shorter(_without_more(told), text, name, seed, author, mended) or found
         if found[0] is None and refusal is not None:
@@ -264,10 +265,24 @@ def _undisturbed() -> Iterator[None]:
             gc.enable()
 
 
-def _without_talk(told: tuple[list[Token], list[Stray]]) -> Iterator[_Shorter]:
-    """A text without a clause that can only be talk."""
-    for rest, note in islice(clauses_left_out(told[0]), MOST):
-        yield (rest, _strays_of(rest, *told)), [note], lambda task: True
+def _without_talk(
+    told: tuple[list[Token], list[Stray]], plain: tuple[list[Token], list[str]] | None
+) -> Iterator[_Shorter]:
+    """A text, or what is left of it without the remarks, without a clause that can only be talk, or all such clauses."""
+    tokens, remarks = plain or (told[0], [])
+    ways = [([rest], [note]) for rest, note in islice(clauses_left_out(tokens), MOST)]
+    if ways:
+        found = list(_one_by_one(tokens))
+        ways.append(([rest for rest, _ in found], [note for _, note in found]))
+    for rests, notes in ways:
+        yield (rests[-1], _strays_of(rests[-1], *told)), [*remarks, *notes], lambda task: True
+
+
+def _one_by_one(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
+    """A text with one clause after the other left out that can only be talk."""
+    while (shorter := next(clauses_left_out(tokens), None)) is not None:
+        yield shorter
+        tokens = shorter[0]
 
 
 def _without_more(told: tuple[list[Token], list[Stray]]) -> Iterator[_Shorter]:

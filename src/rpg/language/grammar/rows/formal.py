@@ -39,6 +39,7 @@ from rpg.language.grammar.rows.lots_told import LOTS, LOTS_AT_ONCE
 from rpg.language.grammar.rows.not_at_end import NOT_THERE, NOT_THERE_AT_ONCE, not_at_end
 from rpg.language.grammar.rows.not_consecutive import not_consecutive
 from rpg.language.grammar.rows.of_each_color import of_each_color
+from rpg.language.grammar.rows.order_matters import ORDER_MATTERS_AT_ONCE
 from rpg.language.grammar.rows.ordered import ORDERED, ORDERED_AT_ONCE
 from rpg.language.grammar.rows.other_end import other_end_named, row_with_ends
 from rpg.language.grammar.rows.own_color import OWN_COLOR, OWN_COLOR_AT_ONCE
@@ -84,6 +85,7 @@ _OF_ALL = (
     *CONTRASTS,
     *WITH_ITS_TOP,
     *PLAIN_TALK_AT_ONCE,
+    *ORDER_MATTERS_AT_ONCE,
     *ORDERED_AT_ONCE,
     *WRITTEN_AT_ONCE,
     *FACED_AT_ONCE,

@@ -51,6 +51,7 @@ _COUNTED = (
     "achieved|complete|completed|done|finished|successful|met|passed|passes|solved|fulfilled|over|declared|a success|"
     "succeeds) )?(?:as (?:a success|success|done|solved|passed|complete) )?(?:only )?"
 )
+_DONE = "(?:done|finished|complete|completed|successful|passed|solved)"
 _WHEN = "(?:when|once|if|as soon as|if and only if|iff)"
 _THERE = (
     "(?:(?:is|are|stands?|sits?|lies?|has been|have been) )(?:all )?(?:there|in place|in position|placed|done|"
@@ -67,5 +68,5 @@ SAID_OF_SUCCESS: tuple[tuple[str, Check], ...] = (
     (ORDER_BINDS, _ordered),
     (f"(?:both|either|each|any|all)(?: one)?(?: of (?:them|these|those|the two))?(?: {_MADE})?"
      f"(?: should| may| can| would| will)? {_PASSES}", _one_or_other),
-    (f"(?:{_WON} {_COUNTED}|(?:done|finished|complete|completed|successful|passed|solved) (?:only )?){_WHEN} {_THINGS} {_THERE}", _all_of_it),
+    (f"(?:{_WON} {_COUNTED}|{_DONE} (?:only )?){_WHEN} {_THINGS} {_THERE}", _all_of_it),
 )  # fmt: skip

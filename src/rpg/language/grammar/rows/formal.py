@@ -33,6 +33,7 @@ from rpg.language.grammar.rows.in_steps import IN_STEPS
 from rpg.language.grammar.rows.in_writing import IN_WRITING
 from rpg.language.grammar.rows.kept_and_moved import FALLEN, KEPT_AND_MOVED, KEPT_AT_ONCE
 from rpg.language.grammar.rows.labels_counted import labels_counted
+from rpg.language.grammar.rows.labels_there import LABELS_THERE
 from rpg.language.grammar.rows.lines import LINED_AT_ONCE, MIRRORS_AT_ONCE, RAINBOWS_AT_ONCE
 from rpg.language.grammar.rows.listed_lines import listed_lines
 from rpg.language.grammar.rows.lots_told import LOTS, LOTS_AT_ONCE
@@ -74,6 +75,8 @@ from rpg.language.grammar.rows.turned import Turns, all_of_it, turned
 from rpg.language.grammar.rows.two_rows import ROWS_PLACED, TWO_ROWS_AT_ONCE, rows_by_number
 from rpg.language.grammar.rows.verbs_of_place import VERBS_OF_PLACE
 from rpg.language.grammar.rows.vocabulary import MUST
+from rpg.language.grammar.rows.way_behind import PATTERNS_LINED, WAY_BEHIND
+from rpg.language.grammar.rows.wished_aloud import WISHED_ALOUD
 from rpg.language.grammar.rows.word_again import word_again
 from rpg.language.grammar.rows.wordier import WORDIER, WORDIER_AT_ONCE
 from rpg.language.grammar.rows.written import WRITTEN, WRITTEN_AT_ONCE
@@ -86,6 +89,7 @@ _OF_ALL = (
     *WITH_ITS_TOP,
     *PLAIN_TALK_AT_ONCE,
     *ORDER_MATTERS_AT_ONCE,
+    *LABELS_THERE,
     *ORDERED_AT_ONCE,
     *WRITTEN_AT_ONCE,
     *FACED_AT_ONCE,
@@ -174,12 +178,14 @@ _OF_THE_UNREAD = (
     *TOWERS,
     *UPWARD,
     *ASKED_ALOUD,
+    *PATTERNS_LINED,
+    *WISHED_ALOUD,
 )
 """The rows of a sentence that cannot be read as it stands."""
 AT_ONCE, UNREAD, OVER_ALL = (
     Turns(_OF_ALL),
     Turns(_OF_THE_UNREAD),
-    Turns((*FALLEN, *ONE_TOPPED, *TOLD_OF_BOTH, *CONTRASTS_ACROSS, *BEFORE_AND_AFTER, *ACROSS)),
+    Turns((*FALLEN, *ONE_TOPPED, *TOLD_OF_BOTH, *CONTRASTS_ACROSS, *BEFORE_AND_AFTER, *WAY_BEHIND, *ACROSS)),
 )
 
 

@@ -118,7 +118,7 @@ STATES = Patterns(
     "it|we|you should|must|has_to end|end_up with",
     "it ends with",
     "finish|end|end_up with",
-    "can|could|may i have|get|see",
+    "can|could|may|might i|we <also>? have|get|see",
     "at|by|in the very? end|finish|conclusion of the|this|our episode|task|game|run|trial|simulation|exercise ,|:?",
     "by|at the very? end|finish ,|:?",
     "when|once it|everything is all over|done|finished ,?",

@@ -63,6 +63,7 @@ from rpg.language.grammar.rows.sided import SIDED_AT_ONCE, UTMOST_TOLD
 from rpg.language.grammar.rows.sizes_told import SIZES_TOLD_AT_ONCE
 from rpg.language.grammar.rows.so_many_inside import so_many_inside
 from rpg.language.grammar.rows.some_letters import some_of_the_letters
+from rpg.language.grammar.rows.spawned import SPAWNED
 from rpg.language.grammar.rows.specified import REQUIRED, REQUIRED_AT_ONCE, SPECIFIED, SPECIFIED_AT_ONCE
 from rpg.language.grammar.rows.stairs import STAIRS, of_the_figure
 from rpg.language.grammar.rows.sums import SUMS_AT_ONCE
@@ -180,6 +181,7 @@ _OF_THE_UNREAD = (
     *ASKED_ALOUD,
     *PATTERNS_LINED,
     *WISHED_ALOUD,
+    *SPAWNED,
 )
 """The rows of a sentence that cannot be read as it stands."""
 AT_ONCE, UNREAD, OVER_ALL = (

@@ -46,6 +46,13 @@ def children(goal: g.Goal) -> tuple[g.Goal, ...]:
     return inside(goal) if inside is not None else ()
 
 
+def within(goal: g.Goal) -> Iterator[g.Goal]:
+    """The goal and all goals inside it, connectives and atoms, in order of reading."""
+    yield goal
+    for child in children(goal):
+        yield from within(child)
+
+
 def rebuild(goal: g.Goal, new: tuple[g.Goal, ...]) -> g.Goal:
     """`goal` with `new` in place of its children."""
     match goal:

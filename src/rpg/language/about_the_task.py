@@ -31,6 +31,8 @@ _JUDGED = listed(
     "script success the a with visually later logged stored"
 )
 """What comes of a task, which is made of blocks, and what may be said of it."""
+_SOME = listed("no only first second third last next other one two three four five new old same")
+"""With these not all of that is spoken of."""
 _LIKE = re.compile("(?:ic|ical|al|ous|ed|ular|ar)$")
 """How words end that tell what something is like."""
 _AHEAD = listed(
@@ -43,7 +45,9 @@ _OPEN = listed(
     "direction directions color colors pose poses arrangement way layout"
 )
 """What may be left open."""
-_FREE = FINE | listed(
+_WEIGHTY = listed("important essential crucial vital urgent serious real true special")
+"""With these something is just not left open."""
+_FREE = (FINE - _WEIGHTY) | listed(
     "ok okay free random arbitrary irrelevant open accepted allowed acceptable valid unimportant unspecified "
     "unconstrained possible randomized permitted admissible"
 )
@@ -88,7 +92,7 @@ def _told(tokens: Sequence[Token], words: list[str]) -> bool:
     subject = next((n for n in range(begin, len(words)) if words[n] not in _AHEAD), len(words))
     if subject >= len(words) or not _BINDING.isdisjoint(words):
         return False
-    if words[subject] in _MADE:
+    if words[subject] in _MADE and _SOME.isdisjoint(words[begin:subject]):
         return all(word in _JUDGED | _FREE | _IS for word in words[subject + 1 :])
     how = words[subject + 2 :] if words[subject + 1 : subject + 2] and words[subject + 1] in _IS else []
     if words[subject] not in _TASK or any(_LIKE.search(word) for word in how[:2] if word not in _FREE):

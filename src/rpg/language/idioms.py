@@ -116,9 +116,9 @@ _WHOLE = (
     "fingers|everything crossed",
     "is everything|all clear|understood|okay|ok|fine|ready for_you|so_far?",
     "report back|to_me? when|once|as_soon_as you are|have|'re done|finished|ready?",
-    "i|we would|'d like|love to_see|to_have|to_get something nice|new|special|beautiful|fun|cool|lovely|"
-    "interesting today|now|"
-    "from_you?",
+    "i|we? would|'d|just|only|am|are? like|love|need|want|fancy|after|looking_for to_see|to_have|to_get|to_try? "
+    "something|sth|smth|smt really|very|quite|super? nice|new|special|beautiful|fun|cool|lovely|interesting|simple|"
+    "easy|quick|basic|straightforward|classic please|for_now|first|here|today|now|from_you?",
     "pay close|good|full? attention please|now|everybody|robot|here?",
     "attention attention|please|now|everybody?",
     "listen|concentrate|focus|relax|attention|quiet carefully|well|please|everybody|everyone|all|to_me|now?",

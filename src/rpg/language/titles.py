@@ -28,7 +28,7 @@ _TEXTS = listed(
     "task job note notes memo benchmark exercise lesson game puzzle test drill challenge mission demo experiment "
     "assignment homework quiz reminder request ticket prompt problem question activity scenario episode round level "
     "log message brief riddle story report worksheet project trial announcement command skill errand description "
-    "caption summary check checks statement station workstation"
+    "caption summary check checks statement station workstation baseline ablation"
 ) | (_NUMBERED - {"scene", "number", "instruction", "no", "id", "run"})
 """What a title calls its text."""
 _NOTES = listed("note notes memo message caption description summary story")
@@ -88,13 +88,14 @@ def untitled(tokens: list[Token]) -> list[Token]:
 
 _BEGUN = listed(
     "setup setting scene scenario situation state layout configuration arrangement context world environment premise "
-    "background initialisation initialization init reset precondition preconditions known quo"
+    "background initialisation initialization init reset precondition preconditions pre known quo"
 )
 """Headings of how it begins, where another one is of what should be done."""
-_STOOD = listed("setup situation premise context background init reset precondition preconditions known quo")
+_STOOD = listed("setup situation premise context background init reset precondition preconditions pre known quo")
 """Of these headings it is clear what they stand over where a command stands elsewhere."""
-_AIMED = listed(
-    "goal goals task objective aim target wanted want job mission result end finish success todo instruction command"
+_REACHED = listed("postcondition postconditions post effect effects want wanted")
+_AIMED = _REACHED | listed(
+    "goal goals task objective aim target job mission result end finish success todo instruction command"
 )
 _WHICH = listed("reset scene initial starting start episode world status")
 """What stands before a heading of how it begins."""
@@ -106,7 +107,7 @@ def _headed(tokens: list[Token]) -> list[Token]:
     """Headings in the words that a grammar knows: "Setup: red on blue. Goal = blue on red"."""
     heads = [n for n in range(len(tokens) - 1) if tokens[n + 1].word in _SAYS and _heads(tokens, n)]
     aimed = any(tokens[n].word in _AIMED for n in heads)
-    renamed = dict.fromkeys(_BEGUN, "start") | {"want": "goal", "wanted": "goal", "have": "given"} if aimed else {}
+    renamed = dict.fromkeys(_BEGUN, "start") | dict.fromkeys(_REACHED, "goal") | {"have": "given"} if aimed else {}
     renamed = renamed or (dict.fromkeys(_STOOD, "start") if heads and commanded(tokens) else {})
     out = list(tokens)
     for n in reversed(heads):

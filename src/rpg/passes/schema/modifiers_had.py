@@ -11,7 +11,7 @@ from rpg.ir import relations as r
 from rpg.ir.node import Node
 from rpg.ir.schema import TaskSchema
 from rpg.ir.structures import TOUCHING_EDGES, Grid, Towers
-from rpg.ir.walk import atoms, children, names
+from rpg.ir.walk import atoms, names, within
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import sentences
 from rpg.language.lexicon import MEDIUM_EDGE
@@ -52,7 +52,7 @@ def _lost(words: Sequence[Token], index: int, token: Token, task: TaskSchema) ->
         behind = [t.word for t in words[index + 1 : index + 3]]
         begun = not _STARTS.isdisjoint(behind) or behind[:1] == ["one"]  # "always starts", "always one red, one white"
         return not begun and not any(
-            isinstance(goal, g.Always | g.Sequence | r.Stayed | g.Not) for goal in _all_in(task.goal)
+            isinstance(goal, g.Always | g.Sequence | r.Stayed | g.Not) for goal in within(task.goal)
         )
     if token.word == "one" and [t.word for t in words[index + 1 : index + 3]] in (["of", "them"], ["of", "these"]):
         return _on_a_block_of_towers(task)
@@ -94,17 +94,13 @@ def _on_a_block_of_towers(task: TaskSchema) -> bool:
     """Whether "on one of them" came to any block of several towers, where it is said of the towers."""
     found = [task.goal, *task.init.arranged]
     towers = [{*names(atom)} for part in found for atom in atoms(part) if isinstance(atom, Towers)]
-    counts = [goal for goal in _all_in(task.goal) if isinstance(goal, g.Count) and isinstance(goal.goal, r.On)]
+    counts = [goal for goal in within(task.goal) if isinstance(goal, g.Count) and isinstance(goal.goal, r.On)]
     return any({*count.over} in towers for count in counts)
 
 
 def _regular(atom: Node) -> bool:
     order = getattr(atom, "order", None)
     return getattr(order, "by", "") == "alternating" or getattr(atom, "evenly", False)
-
-
-def _all_in(goal: g.Goal) -> list[g.Goal]:
-    return [goal, *(part for child in children(goal) for part in _all_in(child))]
 
 
 def _touches(atom: Node) -> bool:

@@ -15,13 +15,11 @@ from rpg.ir.node import Node, members
 from rpg.ir.relations import Above, Behind, InFrontOf, LeftOf, On, RightOf
 from rpg.ir.schema import COLORS_UNSAID, TaskSchema
 from rpg.ir.structures import Figure, Grid, Pyramid, Row, Stack, Staircase, Towers
-from rpg.ir.walk import atoms, children
+from rpg.ir.walk import atoms, within
 from rpg.language import lexicon
 from rpg.language.tokens import Token
+from rpg.passes.schema.said_of_success import SAID_OF_SUCCESS, Check, Parts
 
-Parts = dict[str, str | None]
-Check = Callable[[TaskSchema, Parts], bool]
-"""Whether a task says it without the clause, of which these are the parts."""
 _MARKS = frozenset({",", ".", ";", ":", "!", "?", "(", ")", "-"})
 _JOINS = frozenset({"and", "but", "while", "so", "with", "or"})
 MOST = 4
@@ -30,18 +28,12 @@ MOST = 4
 
 def _so_many_at_most(task: TaskSchema, told: Parts) -> bool:
     """Whether no more than are asked for may be so; where the clause says how many, or how many not, fewer than all."""
-    counts = [goal for goal in _all_in(task.goal) if isinstance(goal, g.Count) and goal.at_most is not None]
+    counts = [goal for goal in within(task.goal) if isinstance(goal, g.Count) and goal.at_most is not None]
     number = _number(told)
     if told.get("n") in ("zero", "0"):
         return False
     bounds = [(goal.at_most or 0, len(goal.over)) for goal in counts]
     return any(not number or most < number or most + number == over for most, over in bounds)
-
-
-def _all_in(goal: g.Goal) -> Iterator[g.Goal]:
-    yield goal
-    for child in children(goal):
-        yield from _all_in(child)
 
 
 def _flat(task: TaskSchema, told: Parts) -> bool:
@@ -73,7 +65,7 @@ def _of_each(task: TaskSchema) -> Counter[str]:
 
 def _any_of_them(task: TaskSchema, told: Parts) -> bool:
     """Whether so many of some are asked for, whichever these are."""
-    counts = [goal for goal in _all_in(task.goal) if isinstance(goal, g.Count)]
+    counts = [goal for goal in within(task.goal) if isinstance(goal, g.Count)]
     number = _number(told)
     return any(not number or number == goal.at_most for goal in counts)
 
@@ -198,6 +190,7 @@ _TOLD: tuple[tuple[str, Check], ...] = (
     (r"colou?rs? (?:is|are|be) (?:free|arbitrary|open|irrelevant|up to (?:you|the robot)|not important)",
      _of_any_color),
     (r"(?:the )?colou?rs? (?:does|do) not matter(?: here)?", _of_any_color),
+    *SAID_OF_SUCCESS,
     (r"(?:it )?(?:is |counts as )?(?:a )?(?:fail|fails|failed|failure|false)(?: it)? otherwise", _anyway),
     (r"otherwise(?: it is| it)?(?: a)? (?:fail|fails|failed|failure|false)", _anyway),
     (f"the (?P<color>{'|'.join(sorted(lexicon.COLOR))})(?: one| block| cube)? (?:may|can) (?:go|be|stay|lie|move|stand|"

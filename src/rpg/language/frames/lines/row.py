@@ -352,11 +352,14 @@ def order_of(pieces: Sequence[Piece], said: Said, row: Row) -> list[str] | None:
     """The looks of all blocks in the order in which they are listed, if this is told as an order.
 
     Raises:
-        Unclear: two lists that do not agree, or a list that is not of all blocks.
+        Unclear: two lists that do not agree, a list that is not of all blocks, or an order of which there is no list.
     """
+    listed = any(piece.kind == "listed" for piece in pieces)
     if not said.lists:
+        if listed:
+            raise Unclear
         return None
-    marked = bool(row.direction) or any(piece.kind == "listed" for piece in pieces)
+    marked = bool(row.direction) or listed
     last, ahead = (said.whole if marked else said.lists)[-1], [lot for run in said.lists[:-1] for lot in run]
     looks = [lot.look for lot in last]
     repeated = len(set(looks)) < len(looks)

@@ -81,6 +81,8 @@ def manner(p: Parser, i: int) -> Results[Meaning]:
             continue
         if phrase == "there" and p.follows(i, ("not",)):
             continue
+        if phrase == "in place" and p.follows(i, ("is", "are", "be")):
+            continue  # "when all are in place": where they were told to be
         counted = phrase in ("second", "third", "last") and p.follows(i, ("and",))  # "on top of the first and last"
         if kind == "time" and (counted or p.stands(j, ("from",))):  # "third from the left"
             continue

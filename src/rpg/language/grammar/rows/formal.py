@@ -33,12 +33,14 @@ from rpg.language.grammar.rows.in_steps import IN_STEPS
 from rpg.language.grammar.rows.in_writing import IN_WRITING
 from rpg.language.grammar.rows.kept_and_moved import FALLEN, KEPT_AND_MOVED, KEPT_AT_ONCE
 from rpg.language.grammar.rows.labels_counted import labels_counted
+from rpg.language.grammar.rows.labels_there import LABELS_THERE
 from rpg.language.grammar.rows.lines import LINED_AT_ONCE, MIRRORS_AT_ONCE, RAINBOWS_AT_ONCE
 from rpg.language.grammar.rows.listed_lines import listed_lines
 from rpg.language.grammar.rows.lots_told import LOTS, LOTS_AT_ONCE
 from rpg.language.grammar.rows.not_at_end import NOT_THERE, NOT_THERE_AT_ONCE, not_at_end
 from rpg.language.grammar.rows.not_consecutive import not_consecutive
 from rpg.language.grammar.rows.of_each_color import of_each_color
+from rpg.language.grammar.rows.order_matters import ORDER_MATTERS_AT_ONCE
 from rpg.language.grammar.rows.ordered import ORDERED, ORDERED_AT_ONCE
 from rpg.language.grammar.rows.other_end import other_end_named, row_with_ends
 from rpg.language.grammar.rows.own_color import OWN_COLOR, OWN_COLOR_AT_ONCE
@@ -61,6 +63,7 @@ from rpg.language.grammar.rows.sided import SIDED_AT_ONCE, UTMOST_TOLD
 from rpg.language.grammar.rows.sizes_told import SIZES_TOLD_AT_ONCE
 from rpg.language.grammar.rows.so_many_inside import so_many_inside
 from rpg.language.grammar.rows.some_letters import some_of_the_letters
+from rpg.language.grammar.rows.spawned import SPAWNED
 from rpg.language.grammar.rows.specified import REQUIRED, REQUIRED_AT_ONCE, SPECIFIED, SPECIFIED_AT_ONCE
 from rpg.language.grammar.rows.stairs import STAIRS, of_the_figure
 from rpg.language.grammar.rows.sums import SUMS_AT_ONCE
@@ -73,6 +76,8 @@ from rpg.language.grammar.rows.turned import Turns, all_of_it, turned
 from rpg.language.grammar.rows.two_rows import ROWS_PLACED, TWO_ROWS_AT_ONCE, rows_by_number
 from rpg.language.grammar.rows.verbs_of_place import VERBS_OF_PLACE
 from rpg.language.grammar.rows.vocabulary import MUST
+from rpg.language.grammar.rows.way_behind import PATTERNS_LINED, WAY_BEHIND
+from rpg.language.grammar.rows.wished_aloud import WISHED_ALOUD
 from rpg.language.grammar.rows.word_again import word_again
 from rpg.language.grammar.rows.wordier import WORDIER, WORDIER_AT_ONCE
 from rpg.language.grammar.rows.written import WRITTEN, WRITTEN_AT_ONCE
@@ -84,6 +89,8 @@ _OF_ALL = (
     *CONTRASTS,
     *WITH_ITS_TOP,
     *PLAIN_TALK_AT_ONCE,
+    *ORDER_MATTERS_AT_ONCE,
+    *LABELS_THERE,
     *ORDERED_AT_ONCE,
     *WRITTEN_AT_ONCE,
     *FACED_AT_ONCE,
@@ -172,12 +179,15 @@ _OF_THE_UNREAD = (
     *TOWERS,
     *UPWARD,
     *ASKED_ALOUD,
+    *PATTERNS_LINED,
+    *WISHED_ALOUD,
+    *SPAWNED,
 )
 """The rows of a sentence that cannot be read as it stands."""
 AT_ONCE, UNREAD, OVER_ALL = (
     Turns(_OF_ALL),
     Turns(_OF_THE_UNREAD),
-    Turns((*FALLEN, *ONE_TOPPED, *TOLD_OF_BOTH, *CONTRASTS_ACROSS, *BEFORE_AND_AFTER, *ACROSS)),
+    Turns((*FALLEN, *ONE_TOPPED, *TOLD_OF_BOTH, *CONTRASTS_ACROSS, *BEFORE_AND_AFTER, *WAY_BEHIND, *ACROSS)),
 )
 
 

@@ -15,6 +15,7 @@ _DO = (
 _FIGURE = (
     "(?:tower|stack|row|line|column|pyramid|wall|grid|square|circle|ring|staircase|cube|letter|triangle|rectangle)"
 )
+_AGENT = "(?:the|your|our|this) (?:robot|arm|robot arm|gripper|policy|agent|machine|system|model)"
 _CORNERS = ("near left", "near right", "far left", "far right")
 _SCRAMBLED = "(?:scrambled|jumbled|mixed up|mixed|shuffled|random|unsorted|wrong|disordered|arbitrary)"
 _MEETS = "(?:sits?|lies?|stands?|is|are|rests?|comes?|goes|be)"
@@ -65,8 +66,8 @@ IN_CONVERSATION: tuple[Turn, ...] = (
     (f"^(?:ideally ,? ?)?(?:he|she) (?:has to|{MUST}|would|can|could)(?: first| then)? ({_DO}) ", "{1} "),
     (f"^(?:say|suppose|let us say|assume|imagine)(?: that)? (?:you|we|i|there) (?:have|are|is|had|were) ({MANY} .+)$",
      "there are {1}"),
-    (f"^can (?:it|you|he|she|the robot|we) do ((?:an?|\\d+x\\d+(?:x\\d+)?|{MANY}) .*?\\b(?:{_FIGURE})\\b.*)$", "build "
-     "{1}"),
+    (f"^(?:can|could) (?:it|you|he|she|{_AGENT}|we) (?:do|manage|handle|pull off) ((?:an?|\\d+x\\d+(?:x\\d+)?|{MANY}) "
+     f".*?\\b(?:{_FIGURE})\\b.*)$", "build {{1}}"),
     (f"^((?:an?|one) (?:{_FIGURE}) of [^,]+?) will do(?: nicely| fine| just fine)?$", "build {1}"),
     ("^at the end of (?:the|this|an?|each|every) (?:\\w+ ){0,3}?(?:exercise|session|lesson|task|game|round|activity) "
      "(?:,"

@@ -141,7 +141,7 @@ def _needed(pieces: Iterator[str]) -> list[frozenset[str]]:
         if piece == "|":
             ways.append(_of_run(run))
             run = []
-        elif piece[-1] == ")":
+        elif piece[0] == "(" and piece[-1] == ")":
             run.append(_of_words(piece))
         elif piece[0] == "(":
             inside = _needed(pieces)

@@ -144,7 +144,7 @@ _ORDERS = (
     "strictly|exactly? in this|the_following|that|exactly_this order :|,",
     "this is the order :",
     "the order|sequence|plan of_events|of_steps|of_actions? is as_follows|this? :",
-    "in? order|sequence|steps :",
+    "the|in? temporal|time|chronological? order|sequence|steps of_events|of_steps|of_actions|of_operations|in_time? :",
 )
 IN_ORDER = Patterns(*_ORDERS)
 """What is told behind these is done one after the other."""

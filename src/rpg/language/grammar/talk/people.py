@@ -83,7 +83,7 @@ WISHING = Classes(
             "have_in_mind|picture|propose|suggest|envision|look|looking|hoping|asking|wondering|wanting|dreaming|"
             "aim|aims|aiming|strive|strives|striving|go|going",
             "appreciate|welcome|vote|settle|opt|demand|demands|desire|desires|be_satisfied|be_content",
-            "thinking|appreciate_it|be_happy|be_glad|be_pleased|be_grateful|wishing",
+            "imagining|picturing|envisioning|visualizing|visualising|thinking|appreciate_it|be_happy|be_glad|be_pleased|be_grateful|wishing",
         ),
         "see": (
             "to_see|to_have|to_get|to_find|to_end_up_with|to_be_shown|seeing|having|for|with|that|it_if|if|of|"

@@ -35,7 +35,8 @@ STARTS = Patterns(
     f"in|at|from the|our|my {_BEGINNING} {_STATES} ,|:?",
     f"the|our|my? {_BEGINNING} {_STATES} is|has|shows|looks_like_this|looks_like|contains? that|this|as_follows? :|,?",
     f"the|our|my? {_BEGINNING} {_STATES} :",
-    "the|our|this|my? scene|episode|task|game|simulation|run|trial|story|world|level|exercise|puzzle|test|experiment "
+    "the|our|this|my|each|every? scene|episode|task|game|simulation|run|trial|story|world|level|exercise|puzzle|test|"
+    "experiment|demo|demonstration|benchmark|challenge|round|session|scenario|video "
     "opens|starts|begins|starts_off|starts_out|starts_off with|from|so_that|such_that|: ,?",
     "the|our|this|each|every? test|episode|task|run|trial|experiment shall|must|will|should start|begin with|from",
     "we|you|i|things|everything|it|all start|starts|begin|begins|start_off|starts_off|start_out|starts_out|"
@@ -118,7 +119,7 @@ STATES = Patterns(
     "it|we|you should|must|has_to end|end_up with",
     "it ends with",
     "finish|end|end_up with",
-    "can|could|may i have|get|see",
+    "can|could|may|might i|we <also>? have|get|see",
     "at|by|in the very? end|finish|conclusion of the|this|our episode|task|game|run|trial|simulation|exercise ,|:?",
     "by|at the very? end|finish ,|:?",
     "when|once it|everything is all over|done|finished ,?",

@@ -53,13 +53,14 @@ _RUN = 3
 
 
 def _in_letters(p: Parser, i: int) -> bool:
-    """ "a b c", "d c b a": one of a run of single letters."""
+    """ "a b c", "d c b a", "a b and c": one of a run of single letters; "a b and a c" are two blocks."""
     begin = end = i
     while begin > 0 and _one_letter(p, begin - 1):
         begin -= 1
     while _one_letter(p, end):
         end += 1
-    return end - begin >= _RUN
+    last = p.words[end] in _AND and _one_letter(p, end + 1) and not _one_letter(p, end + 2)
+    return end - begin + last >= _RUN
 
 
 def _one_letter(p: Parser, i: int) -> bool:

@@ -95,6 +95,7 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
         for n, chain in enumerate(chains)
         if n < max(ordered, default=0) and (_heaped(chain) or heap_for(chain, chains[n + 1]))
     ]
+    heaped += [n for n, chain in enumerate(chains) if _heaped(chain) and not final[n] and any(final[n:])]
     heaped += [n for n in range(max(ordered, default=0)) if presented(chains, n, text)]
     heaped += _going_on(chains, final)
     plain = [

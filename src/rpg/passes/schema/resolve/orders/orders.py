@@ -161,6 +161,8 @@ def _merge(
             return _given(order, names, kind, scene, scope, first)
         case "backwards":
             return Order(by="given", ranks=tuple((n,) for n in reversed(names)), first=first or _default_side(kind))  # type: ignore[arg-type]
+        case "given" if not any(t.color or t.label or t.size or t.edge for t in things):
+            raise refuse("no-referent", "these blocks were told in no order", order.span, "list them in their order")
         case "given":
             begin = first or _default_side(kind)
             scene.assume(f"in the order in which the blocks are named, from {begin} to {OPPOSITE.get(begin, 'last')}")

@@ -30,12 +30,19 @@ def known_ones(shape: Structure, scene: Scene, role: str = "") -> list[Built]:
     """Structures brought up before that fit the description; what stands beside "that tower" is another one."""
     tell_apart(shape, scene)
     found = _fitting(shape, scene) or _with_its_color(shape, scene)
+    found = _parted(found) if shape.plural else found
     if role == "landmark" and len(found) > 1:
         now = [m.ref for m in scene.mentions if m.clause == scene.clause and m.role == "theme"]
         found = [x for x in found if not any(x in ref.built for ref in now)] or found
     if not found and shape.kind == "pile" and shape.det == "the" and not (shape.members or shape.plural or scene.heaps):
         return known_ones(replace(shape, kind="stack"), scene)  # "green on brown, white left of that pile"
     return found
+
+
+def _parted(found: list[Built]) -> list[Built]:
+    """ "(Nine blocks in a heap end as one pile per color,) the piles apart": what the others are parts of is none of
+    them."""
+    return [x for x in found if {*x.members} != {n for one in found if one is not x for n in one.members}] or found
 
 
 def other_of_two(shape: Structure, scene: Scene, role: str) -> list[Built]:

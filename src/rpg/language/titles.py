@@ -7,10 +7,9 @@ passed over.
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language import lexicon
 from rpg.language.grammar.talk.people import PEOPLE
+from rpg.language.headings import ENDS, headed
 from rpg.language.slips import slips_of
 from rpg.language.spelling import vocabulary
 from rpg.language.spoken_leads import bends
@@ -65,18 +64,17 @@ _TOPICS = listed(
 _CALLS = listed("urgent important attention fyi hint tip ps nb todo update reminder warning announcement")
 _SPEAKERS = frozenset(PEOPLE.split("|")) | listed("me operator human speaker commander instructor")
 _MARKS = frozenset({":", "-", "–", "—"})
-_ENDS = frozenset({".", "!", "?", ";"})
 _LONGEST = 5
 """No title has more words."""
 
 
 def untitled(tokens: list[Token]) -> list[Token]:
     """The words of a text without the titles in front of its sentences."""
-    tokens = _headed(tokens)
+    tokens = headed(tokens)
     out: list[Token] = []
     at = 0
     while at < len(tokens):
-        if not out or out[-1].word in _ENDS:
+        if not out or out[-1].word in ENDS:
             end = _title(tokens, at)
             if end > at:
                 at = end
@@ -84,64 +82,6 @@ def untitled(tokens: list[Token]) -> list[Token]:
         out.append(tokens[at])
         at += 1
     return out
-
-
-_BEGUN = listed(
-    "setup setting scene scenario situation state layout configuration arrangement context world environment premise "
-    "background initialisation initialization init reset precondition preconditions pre known quo"
-)
-"""Headings of how it begins, where another one is of what should be done."""
-_STOOD = listed("setup situation premise context background init reset precondition preconditions pre known quo")
-"""Of these headings it is clear what they stand over where a command stands elsewhere."""
-_REACHED = listed("postcondition postconditions post effect effects want wanted")
-_AIMED = _REACHED | listed(
-    "goal goals task objective aim target job mission result end finish success todo instruction command"
-)
-_WHICH = listed("reset scene initial starting start episode world status")
-"""What stands before a heading of how it begins."""
-_SAYS = frozenset({":", "="})
-_ARTICLES = frozenset({"the", "my", "our", "your"})
-
-
-def _headed(tokens: list[Token]) -> list[Token]:
-    """Headings in the words that a grammar knows: "Setup: red on blue. Goal = blue on red"."""
-    heads = [n for n in range(len(tokens) - 1) if tokens[n + 1].word in _SAYS and _heads(tokens, n)]
-    aimed = any(tokens[n].word in _AIMED for n in heads)
-    renamed = dict.fromkeys(_BEGUN, "start") | dict.fromkeys(_REACHED, "goal") | {"have": "given"} if aimed else {}
-    renamed = renamed or (dict.fromkeys(_STOOD, "start") if heads and commanded(tokens) else {})
-    out = list(tokens)
-    for n in reversed(heads):
-        word = renamed.get(tokens[n].word, tokens[n].word)
-        said = replace(tokens[n + 1], kind="punct", word=":", raw=":")
-        if word in lexicon.PATCH and word not in _AIMED and _of_patches(tokens, n + 2):
-            word, said = "there", replace(said, kind="word", word="is")
-        out[n : n + 2] = [replace(tokens[n], word=word), said]
-        if n and tokens[n - 1].word == ",":
-            out[n - 1] = replace(tokens[n - 1], word=".", raw=".")
-        elif n and tokens[n - 1].word in (_ARTICLES | _WHICH if word == "start" else _ARTICLES):
-            del out[n - 1]
-    return out
-
-
-def commanded(tokens: list[Token]) -> bool:
-    """Whether some sentence of the text is a command."""
-    first = (t for n, t in enumerate(tokens) if not n or tokens[n - 1].word in (*_ENDS, "please", "then", "now"))
-    return any(token.word in lexicon.COMMANDS for token in first)
-
-
-def _heads(tokens: list[Token], n: int) -> bool:
-    """Whether a word is one that stands over a part of the text."""
-    whose = _ARTICLES | (_WHICH if tokens[n].word in _BEGUN else frozenset())
-    at = n - 1 if n and tokens[n - 1].word in whose else n
-    known = tokens[n].word in _BEGUN | _AIMED | {"start", "have", "given"} or tokens[n].word in lexicon.PATCH
-    begins = at == 0 or tokens[at - 1].word in _ENDS or (tokens[n + 1].word == "=" and tokens[at - 1].word == ",")
-    return begins and known
-
-
-def _of_patches(tokens: list[Token], at: int) -> bool:
-    """Whether a part of the text ends with a patch, "Zones: a red mat and a blue mat."."""
-    end = next((n for n in range(at, len(tokens)) if tokens[n].word in _ENDS), len(tokens))
-    return tokens[end - 1].word in lexicon.PATCH
 
 
 def title(tokens: list[Token]) -> int:
@@ -234,7 +174,7 @@ def _about(tokens: list[Token], colon: int) -> int:
     """ "Task: pick-and-place. Goal: ...": behind the title a word for what it is about; nothing else is passed over."""
     end = next((n for n in range(colon + 1, len(tokens)) if tokens[n].kind == "punct"), len(tokens))
     told = tokens[colon + 1 : end]
-    whole = end + 1 < len(tokens) and tokens[end].word in _ENDS
+    whole = end + 1 < len(tokens) and tokens[end].word in ENDS
     return end + 1 if told and whole and all(t.word in _ACTIVITIES for t in told) else 0
 
 

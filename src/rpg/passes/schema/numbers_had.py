@@ -78,7 +78,7 @@ def numbers_of(task: TaskSchema) -> Iterator[float]:
     if task.assumed(EXCHANGED_LATER):
         yield 2  # of what was built before
     colors = {asset.name: asset.color for asset in task.assets}
-    yield _piles(task)
+    yield from (_piles(task), _rows(task))
     lines = [atom for atom in atoms(task.goal) if isinstance(atom, Row | Stack)]
     yield from Counter((type(line), len(line.blocks)) for line in lines).values()
     yield from Counter((line.kind, *map(colors.get, line.blocks)) for line in lines).values()  # "the last three red"
@@ -121,6 +121,11 @@ def _piles(task: TaskSchema) -> int:
     above = {name for part in begun for name in members(part.a)}
     below = {name for part in begun for name in members(part.b)}
     return len(below - above) + sum(isinstance(part, Stack) for part in task.init.arranged)
+
+
+def _rows(task: TaskSchema) -> int:
+    """How many rows there are at the start."""
+    return sum(isinstance(part, Row) for part in task.init.arranged)
 
 
 def _how_large(figure: Figure, edge: float) -> Iterator[float]:

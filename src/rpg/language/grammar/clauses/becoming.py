@@ -169,17 +169,18 @@ def _becomes(p: Parser, i: int, k: int, theme: Meaning, mode: str) -> Iterator[t
         return
     for target, end in simple(p, j):
         plain = isinstance(target, Structure) and target.members is None and target.kind not in ("word", "equation")
-        if (
-            not plain
-            or not isinstance(target, Structure)
-            or not (target.det == "a" or (turned and target.det == "bare"))
-        ):
+        if not plain or not isinstance(target, Structure) or not _new(target, bool(turned)):
             continue
         into = Into(structure=target, span=p.span(j, end))
         for found, last in adjuncts(p, end):
             lemma = "turn into" if shaped else ""
             adj, span = (into, *found), p.span(i, last)
             yield Clause(verb="arrange", lemma=lemma, theme=theme, adjuncts=adj, mode=mode, cost=1, span=span), last
+
+
+def _new(target: Structure, turned: bool) -> bool:
+    """ "a tower", "one tower", "two rows"; behind a verb of change no number need be said."""
+    return target.det == "a" or (target.det == "bare" and (turned or target.amount is not None))
 
 
 _VISIT = frozenset({"visit", "visits"})

@@ -353,8 +353,8 @@ def finally_there(p: Parser, i: int, there: Meaning, end: bool = False) -> Meani
         return there
     if with_more(there.theme, there.adjuncts):
         return replace(there, verb="be", mode="goal")
-    shapes = there.theme.items if isinstance(there.theme, Coord) and there.theme.op == "or" else (there.theme,)
-    shaped = all(isinstance(shape, Structure) for shape in shapes)
+    shapes = there.theme.items if isinstance(there.theme, Coord) else (there.theme,)
+    shaped = any(isinstance(shape, Structure) for shape in shapes)
     told = end and there.mode == "given" and (there.adjuncts or shaped)
     return replace(there, mode="goal") if told else there
 

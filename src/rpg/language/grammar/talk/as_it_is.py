@@ -4,8 +4,8 @@
 from __future__ import annotations
 
 from rpg.language import lexicon
+from rpg.language.headings import commanded
 from rpg.language.phrases import length_at
-from rpg.language.titles import commanded
 from rpg.language.tokens import Token
 
 _ENDS = frozenset({".", "!", "?", ";"})

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TypeGuard
+
 from rpg.language.meaning import Chain, Clause, Loc, Meaning, Noun, Pronoun, Structure, parts_of, replace
 from rpg.passes.schema.resolve.clauses.begun_upwards import begun_upwards
 
@@ -12,7 +14,7 @@ _MOVES = frozenset({"move", "take", "remove", "lift", "swap", "exchange", "trade
 
 def bare_starts(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
     """The sentences, the first of them told of the start where the second moves what it speaks of."""
-    chains = tuple(map(begun_upwards, chains))
+    chains = tuple(_there(begun_upwards(chain)) for chain in chains)
     if len(chains) < 2 or len(chains[0].clauses) != 1:
         return chains
     first, then = chains[0].clauses[0], chains[1].clauses[0]
@@ -24,6 +26,24 @@ def bare_starts(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
     built = isinstance(first.theme, Structure)
     begun = replace(first, verb="exist", mode="given") if built else replace(first, mode="start")
     return (replace(chains[0], clauses=(begun,)), *chains[1:])
+
+
+def _there(chain: Chain) -> Chain:
+    """ "The episode starts with two towers of three": structures that are told of the start without a verb are what
+    there is, as in "at the start there are two towers"."""
+    told = [
+        replace(c, verb="exist", lemma="begun", mode="given", cost=0) if _begun_structure(c) else c
+        for c in chain.clauses
+    ]
+    return chain if told == [*chain.clauses] else replace(chain, clauses=tuple(told))
+
+
+def _begun_structure(clause: Meaning) -> TypeGuard[Clause]:
+    """Whether a clause brings up structures of the start, and tells of no place."""
+    if not isinstance(clause, Clause) or (clause.verb, clause.mode, clause.lemma) != ("build", "start", ""):
+        return False
+    new = isinstance(clause.theme, Structure) and clause.theme.det in ("a", "bare")
+    return new and not clause.negated
 
 
 def _bare(clause: Clause) -> bool:

@@ -22,13 +22,13 @@ from rpg.language.meaning import (
     parts_of,
     replace,
 )
+from rpg.passes.schema.resolve.clauses.at_the_end import END, of_its_end
 from rpg.passes.schema.resolve.clauses.bare_starts import bare_starts
 from rpg.passes.schema.resolve.clauses.begun_facts import all_begun, indicative, lined_up_first, named_there
 from rpg.passes.schema.resolve.clauses.heap_first import heap_first, heap_for
 from rpg.passes.schema.resolve.clauses.in_parts import before_orders, lie_so, says_where
 from rpg.passes.schema.resolve.clauses.joined_facts import (
     BESIDES,
-    added,
     asked_of,
     borne_in_turn,
     demanded,
@@ -55,13 +55,6 @@ UNMEANT = frozenset({"contradiction", "support-cycle"})
 """Refusals of facts and commands that cannot both be about the end."""
 
 
-_END = re.compile(
-    r"\b(?:at|in|by) the (?:very )?end\b|\bfinally\b|\bfinal\b|\b(?:finish|end)(?:es|s|ed|ing)?(?: up)? with\b",
-    re.IGNORECASE,
-)
-"""Words of a fact about the end."""
-
-
 def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Chain, ...]:
     """The sentences, with facts before a command about what they bring up told of the start.
 
@@ -79,7 +72,7 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
         return picture
     chains = before_orders(staying(chains, text), text)
     told = [_facts(chain, bold) or (bold and indicative(chain, text)) or lie_so(chain, text, bold) for chain in chains]
-    final = [_of_its_end(chains, n, text) or demanded(chains, n, text) for n in range(len(chains))]
+    final = [of_its_end(chains, n, text) or demanded(chains, n, text) for n in range(len(chains))]
     told = [fact and not end for fact, end in zip(told, final, strict=True)]
     commands = [n for n, chain in enumerate(chains) if _commands(chain) or (bold and not indicative(chain, text))]
     commands = [n for n in commands if final[n] or not how_far_off(chains[n - 1 : n + 1])]
@@ -172,20 +165,6 @@ def _as_it_is_now(chain: Chain, text: str, more: tuple[Chain, ...]) -> Chain:
     return replace(chain, clauses=(*begun, *chain.clauses[facts:]), links=links)
 
 
-def _of_its_end(chains: tuple[Chain, ...], n: int, text: str) -> bool:
-    """Whether a sentence has words of the end, the frames around its clauses included; what is ordered "also" comes
-    on top of what the sentence in front of it asks for."""
-    begun, ended = chains[n].span
-    if n + 1 < len(chains) and orders_something(chains[n + 1]) and added(chains[n], chains[n + 1], text):
-        return True
-    if _END.search(text) is None:
-        return False
-    before = text[chains[n - 1].span[1] if n else 0 : begun]
-    after = text[ended : chains[n + 1].span[0] if n + 1 < len(chains) else len(text)]
-    own = re.split(r"[.;!?]", before)[-1] + text[begun:ended] + re.split(r"[.;!?:,]|\s[-–—]\s", after)[0]
-    return bool(_END.search(own))
-
-
 def _going_on(chains: tuple[Chain, ...], final: list[bool]) -> list[int]:
     """ "Initially red is on blue. Green is on yellow. Put ...": facts that follow what is told of the start are of the
     start as well, where something is asked for, or told of the end, behind them."""
@@ -224,7 +203,7 @@ def _pictured(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...] | None:
         return None
     listed = isinstance(clauses[0], Clause) and clauses[0].lemma in ("tally", "stock")
     seen = _SEEN.search(text[: clauses[0].span[listed]]) is not None
-    final = [_of_its_end(chains, n, text) for n in range(len(chains))]
+    final = [of_its_end(chains, n, text) for n in range(len(chains))]
     if any(final) and not final[0]:
         return None
     if not final[0] and any(demanded(chains, n, text) for n in range(1, len(chains))):
@@ -270,7 +249,7 @@ def _of_the_end(clause: Meaning, seen: bool, whole: bool = False) -> Meaning:
 def _looked_at(chains: tuple[Chain, ...], n: int, text: str) -> bool:
     """ "I see a red block on a blue one. Swap them.": what is seen is so at the start where it is to be changed."""
     before = text[chains[n - 1].span[1] if n else 0 : chains[n].clauses[0].span[0]]
-    plain = _ASKED.search(before) is None and _SEEN.search(before) is not None and not _END.search(before)
+    plain = _ASKED.search(before) is None and _SEEN.search(before) is not None and not END.search(before)
     return plain and all(isinstance(c, Clause) and _describes(c, text, True) for c in chains[n].clauses)
 
 

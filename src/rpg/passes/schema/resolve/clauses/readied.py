@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from rpg.language.meaning import Chain
+from rpg.passes.schema.resolve.clauses.at_the_end import there_before
 from rpg.passes.schema.resolve.clauses.borne_there import borne_there
 from rpg.passes.schema.resolve.clauses.faced_too import faced_too
 from rpg.passes.schema.resolve.clauses.none_told import none_told
@@ -46,4 +47,5 @@ def readied(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
         chains = tuple(map(each, chains))
     told = (shared_gaps(shared_sides(recounted(chain), text), text) for chain in chains)
     plain = (into_an_order(patch_in_common(taken_off(chain), text), text) for chain in told)
-    return told_behind(in_one_tense(tuple(whichever(chain, text) for chain in plain), text), text)
+    plain = in_one_tense(tuple(whichever(chain, text) for chain in plain), text)
+    return told_behind(there_before(plain, text), text)

@@ -111,7 +111,7 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
     goals: list[g.Goal] = []
     color: tuple[str, ...] = ()
     for index in range(count):
-        color = color if color and _in_corners(spec) else _color(shape, spec, theme, looks, scene)
+        color = color if color and _in_corners(spec) else _color(shape, spec, theme, looks, scene, scope)
         own = _copied(spec)
         look = _spelling(shape, said_of) if isinstance(said_of := looks[index], Structure) else said_of
         if isinstance(look, Noun) and _listed(look):
@@ -303,10 +303,12 @@ def _unsized(members: Meaning) -> bool:
     return isinstance(members, Noun) and members.amount is None and members.det == "bare" and not members.traits.labels
 
 
-def _color(shape: Structure, spec: Spec, theme: Ref | None, looks: list[Look], scene: Scene) -> tuple[str, ...]:
-    """A colour of its own for each, where nothing is said of the blocks' looks."""
+def _color(
+    shape: Structure, spec: Spec, theme: Ref | None, looks: list[Look], scene: Scene, scope: Scope
+) -> tuple[str, ...]:
+    """A colour of its own for each that is to be built, where nothing is said of the blocks' looks."""
     members = shape.members
-    if isinstance(members, Coord):
+    if scope.given or isinstance(members, Coord):
         return ()  # "three towers of a big and a small cube"
     said = members.traits if isinstance(members, Noun) else Traits()
     plain = (

@@ -47,12 +47,16 @@ def tally(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goal
 
 
 def mark_given(theme: Ref, scene: Scene, span: Span) -> None:
-    """What is said to be there; the table is no such thing."""
+    """What is said to be there; the table is no such thing. Blocks of several lines, of which nothing else is said, are
+    as good as those of one."""
     if theme.table:
         raise refuse("misplaced", "the table is always there", span, "say what is on it")
     scene.mentions[-1].role = "given"
     for name in theme.names:
         scene.things[name].declared = True
+    plain = [thing for thing in map(scene.things.__getitem__, theme.names) if not (thing.color or thing.label)]
+    for thing in plain if len(theme.built) > 1 else ():
+        thing.batch = plain[0].batch
 
 
 def _counts(item: Meaning, scene: Scene) -> None:

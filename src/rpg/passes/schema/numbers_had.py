@@ -105,6 +105,8 @@ def numbers_of(task: TaskSchema) -> Iterator[float]:
             yield from (side - 1 for side in atom.sides)  # its stem, without the middle of the bar
         if isinstance(atom, Figure) and atom.shape in ("plus", "X"):
             yield 4  # arms
+        if isinstance(atom, Figure) and atom.shape == "circle" and atom.filled:
+            yield len(atom.blocks) - 1  # around the one in the middle
         # The columns of stairs, the layers of a pyramid and the rows of a filled triangle have every height, or length,
         # up to the largest.
         if isinstance(atom, Figure) and atom.shape == "triangle" and atom.filled:

@@ -22,7 +22,7 @@ _WAYS = "(?:way|direction|ways|directions)"
 _ROW = (
     "(?: (?:along|at|in|on|for) (?:the |its )?(?:base|bottom|front|back|top|near side|far side|next|second|third|"
     "fourth|"
-    "first|last|middle|near|far|rear|nearest|farthest|following)(?: (?:row|one|line))?(?: (?:behind|before|in front "
+    "first|last|middle|near|far|rear|nearest|farthest|following|tip|apex|point|peak)(?: (?:row|one|line))?(?: (?:behind|before|in front "
     "of|after) (?:it|that|them))?)?"
 )
 SIZES: list[Pattern] = [
@@ -57,6 +57,8 @@ SIZES: list[Pattern] = [
         r"(?:in )?rows of (?:(?:\d+|one|single)(?: BLOCK)?(?: ,)?(?: and| then| and then)? )+(?:\d+|one)(?: BLOCK)?"),
     *patterns("rows", lambda m: [number(n) for n in re.findall(r"\d+|(?<!next )\bone\b", m[0])],
         f"(?:in |with )?(?:rows of )?NUM(?: BLOCK)?{_ROW}(?:(?: ,| then| and)+ NUM(?: BLOCK)?{_ROW}){{2,}}"),
+    *patterns("lines", lambda m: number(m["count"]),
+        "(?:(?:in|with|of|having|made of) )?(?P<count>NUM) rows(?= [.,;!])"),
     *patterns("per", True,
         f"(?:per|on|along|in|for|at|to|down) (?:(?:each|every|both|all)(?: of)?(?: the| its)?(?: [234])? ){_SIDE}",
         f"(?:per|each|every) {_SIDE}",
@@ -120,12 +122,15 @@ LIMBS: list[Pattern] = [
     *patterns("limb", lambda m: ("stem", number(m["count"]), _further(m)),
         f"{_N}{_MORE}(?: BLOCK)?(?: going| go| running| run| lie| lying| hanging| hang| sticking)? (?:{_FOR}(?:the "
         f"|its )?{STEM}|down(?:wards?)?(?: (?:from )?(?:the|its) (?:middle|center|stem))?|below(?: (?:it|them|that|"
-        "the bar|the middle))?(?: in the (?:middle|center))?|vertical|vertically|down from the (?:middle|center)|"
+        "the bar|the middle(?: one| BLOCK)?))?(?: in the (?:middle|center))?|vertical|vertically|down from the (?:middle|center)|"
         "under (?:it|the "
         f"middle|the bar)|underneath(?: it)?)(?: in the middle)?(?: (?:as|for) (?:the|its) {STEM})?",
         f"(?:(?:below|under|underneath)(?: (?:it|that|the {BAR}))? )?(?:the |its |a |whose |with a |with the "
         f")?{STEM}(?: of it)? {HAS}{COUNT}{_MORE}(?: BLOCK)?(?: long| high| tall)?(?: (?:below|under|underneath)(?: "
         f"(?:it|the {BAR}))?)?", f"down(?:wards)?(?: :)? {COUNT}"),
+    *patterns("limb", lambda m: ("ups", number(m["count"]), _further(m)),
+        f"{_N}{_MORE}(?: BLOCK)? (?:going |standing |straight )?up(?:wards?)? (?:on|at) (?:each|either|both|each of "
+        "the|both of its) (?:sides?|ends?)", f"{_N}{_MORE}(?: BLOCK)? (?:on|at) (?:each|either) (?:side|end) going up"),
     *patterns("limb", lambda m: ("up", number(m["count"]), _further(m)),
         f"{_N}{_MORE}(?: BLOCK)? (?:going |standing |straight )?(?:up(?:wards?|right)?|{_FOR}(?:the |its "
         ")?(?:upright|stem|back))"),

@@ -14,9 +14,9 @@ _TWO_PARTS = "(?: (?:BLOCK|ones|one|piece|place|places|position|positions|spot|p
 _TOWARD = {
     "left": "(?:(?:to|towards?|on|at|in|facing) )?(?:the |its |my |your )?left(?: hand)?(?: side)?|leftwards?",
     "right": "(?:(?:to|towards?|on|at|in|facing) )?(?:the |its |my |your )?right(?: hand)?(?: side)?|rightwards?",
-    "front": "(?:(?:to|towards?|at|on|facing|in) )?(?:the )?(?:front|near)(?: side| edge| end)?(?: of the TABLE)?|"
-    "(?:(?:towards?|to|facing|at|nearest|nearest to|closest to|near) )?(?:me|us|you|(?:the )?(?:robot|viewer|"
-    "camera|observer|spectator))|nearest|closest",
+    "front": "(?:(?:towards?|to|facing|at|nearest|nearest to|closest to|close to|nearer to|near|near to) )?(?:me|us|you|"
+    "(?:the )?(?:robot|viewer|camera|observer|spectator))|(?:(?:to|towards?|at|on|facing|in) )?(?:the )?(?:front|near)"
+    "(?: side| edge| end)?(?: of the TABLE)?|nearest|closest",
     "back": "(?:(?:to|towards?|at|on|facing|in) )?(?:the )?(?:back|rear|far)(?: side| edge| end)?(?: of the "
     "TABLE)?|away(?: from (?:me|us|you|(?:the )?(?:robot|viewer|camera|observer|spectator)))?|backwards?|"
     "(?:farthest|furthest)(?: away)?(?: from (?:me|us|you|the (?:robot|viewer|camera)))?",
@@ -31,7 +31,8 @@ _POINTS = (
     "coming)(?: out| up| straight| directly)? |BE )?"
 )
 _PART_OF = {
-    "foot": "foot|base|toe|(?:short|shorter|lower|bottom) (?:arm|leg|bar|stroke|side|line)",
+    "foot": "foot|base|toe|(?:short|shorter|lower|bottom) (?:arm|leg|bar|stroke|side|line|one)",
+    "long": "(?:long|longer) (?:arm|leg|bar|stroke|side|line|one)|upright",
     "stem": "(?:(?:foot|end|bottom|bottom end) of the )?(?:stem|leg)|trunk|post|shaft|tail|stalk",
     "bar": "(?:top )?(?:bar|crossbar|cross bar|crosspiece)",
     "opening": "opening|open side|open end|open ends|mouth|open part|gap",
@@ -61,9 +62,9 @@ WAYS: list[Pattern] = [
     *(found for side, toward in _TOWARD.items() for found in (
       *patterns("way", ("opening", side),
           f"(?:(?:that|which|it|and|must|should|shall) )*(?:BE )?(?:opens?|opened|opening|open)(?: up)? (?:{toward})"),
-      *patterns("way", ("tip", side),
+      *patterns("way", ("", side),
           f"(?:(?:that|which|it|must|should|shall) )*(?:BE )?(?:points?|pointing|pointed) (?:{toward})"))),
-    *patterns("way", ("all", "over"), "(?:that |which )?(?:BE )?(?:turned )?upside down", "inverted"),
+    *patterns("way", ("all", "over"), "(?:but )?(?:that |which )?(?:BE )?(?:turned )?upside down", "inverted"),
     *(found for base, tip in (("front|near|nearest", "back"), ("back|far|farthest", "front"), ("left", "right"),
       ("right", "left")) for found in patterns("base", lambda m, tip=tip: (number(m["count"]), tip),
         f"{COUNT} (?:BE )?(?:along|in|at|on|forming|as) (?:its |the )?(?:{base})(?: (?:row|side|edge|line))?")),

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 from rpg.language.frames.lots import Lot, as_adjectives, check_listed, check_owned, declared, one, without_brackets
 from rpg.language.frames.pieces import Piece, Unclear
@@ -34,7 +35,7 @@ def told(pieces: Sequence[Piece]) -> str:
     Raises:
         Unclear: it is not told which figure it is, or not which blocks it is made of.
     """
-    pieces = parted(without_brackets(as_adjectives(pieces)))
+    pieces = parted(_but_so(without_brackets(as_adjectives(pieces))))
     check_listed(pieces)
     check_owned(pieces, ("way", "limb", "arm", "side", "place", "along", "base"))
     _check_parts(pieces)
@@ -87,6 +88,12 @@ def told(pieces: Sequence[Piece]) -> str:
         text += f" A {inner[0].look} block is in the middle of the {shape}."
     where = one(pieces, "where")
     return f"{text} The {shape} is {where.value}." if where else text
+
+
+def _but_so(pieces: Sequence[Piece]) -> list[Piece]:
+    """ "The letter T, but upside down": behind such a "but" is no block that is left out."""
+    turns = [piece.kind == "except" and behind.kind == "way" for piece, behind in zip(pieces, pieces[1:], strict=False)]
+    return [replace(p, kind="break") if turn else p for p, turn in zip(pieces, [*turns, False], strict=True)]
 
 
 def _shape(pieces: Sequence[Piece]) -> str:
@@ -186,13 +193,27 @@ def _tips(piece: Piece) -> set[str]:
     return found
 
 
+_LIMBS = {"along": "foot", "short": "foot", "up": "long", **{limb: limb for limb in ("long", "bar", "stem")}}
+"""The parts that point where "which should point to the right" stands behind their size."""
+
+
+def _ways(pieces: Sequence[Piece]) -> Iterator[tuple[str, str]]:
+    """The parts that point somewhere: the tip, unless "which points" is said behind another one."""
+    before = ""
+    for piece in pieces:
+        if piece.kind == "way":
+            yield piece.value[0] or before or "tip", piece.value[1]
+        if piece.kind not in ("glue", "break"):
+            before = _LIMBS.get(piece.value[0], "") if piece.kind == "limb" else ""
+
+
 def _way(pieces: Sequence[Piece], shape: str) -> str:
     """ " with its foot to the right".
 
     Raises:
-        Unclear: a part that the figure has not, or two ways.
+        Unclear: a part that the figure has not, or two ways; an L whose long arm does not lead away from its foot.
     """
-    ways = {(piece.value[0], piece.value[1]) for piece in pieces if piece.kind == "way"}
+    ways = {("long" if (shape, part) == ("L", "stem") else part, side) for part, side in _ways(pieces)}
     ways |= {("tip", piece.value[1]) for piece in pieces if piece.kind == "base"}
     ways |= {("foot", piece.value[2]) for piece in pieces if piece.kind == "along"}
     ways |= {("tip", side) for piece in pieces if piece.kind == "rows" for side in _tips(piece)}
@@ -203,6 +224,8 @@ def _way(pieces: Sequence[Piece], shape: str) -> str:
     if shape == "T" and any(piece.kind in ("limb", "dims") and _DOWN.search(piece.words) for piece in pieces):
         ways.add(("stem", "front"))  # a figure is seen like a page
     found = set()
+    if ("long", "back") in ways and any(part == "foot" and side in ("left", "right") for part, side in ways):
+        ways.discard(("long", "back"))
     for part, side in ways:
         if side == "upright":
             part, side = {

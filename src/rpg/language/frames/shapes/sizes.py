@@ -9,14 +9,14 @@ from typing import Any
 from rpg.language.frames.lots import one
 from rpg.language.frames.pieces import Piece, Unclear
 
-_SIZES = ("equal", "dims", "side", "rows", "arm", "limb", "along", "base")
+_SIZES = ("equal", "dims", "side", "rows", "lines", "arm", "limb", "along", "base")
 _KNOWN: dict[str, tuple[str, ...]] = {
     "plus": ("arm", "equal"),
     "X": ("arm", "equal"),
     "circle": (),
     "square": ("dims", "side", "rows", "equal"),
     "rectangle": ("dims",),
-    "triangle": ("side", "rows", "base", "equal"),
+    "triangle": ("side", "rows", "lines", "base", "equal"),
     "T": ("limb", "arm", "dims"),
     "L": ("limb", "along", "arm", "side", "dims", "equal"),
     "V": ("arm", "equal"),
@@ -105,8 +105,8 @@ def _sided(pieces: Sequence[Piece], shape: str, filled: str, total: int | None) 
 
 def _triangle(pieces: Sequence[Piece], name: str, filled: str, total: int | None) -> Sized:
     """A triangle, by its sides or rows."""
-    side, rows, base = (_value(pieces, kind) for kind in ("side", "rows", "base"))
-    sides = {side} if side else set()
+    side, lines, rows, base = (_value(pieces, kind) for kind in ("side", "lines", "rows", "base"))
+    sides = {length for length in (side, lines) if length}
     sides |= {base[0]} if base else set()
     if rows:
         n = len(rows)
@@ -219,6 +219,7 @@ def _ell(pieces: Sequence[Piece], total: int | None) -> Sized:
         [bool(limbs), arm is not None, dims is not None].count(True) > 1
         or {"long", "up"} <= set(limbs)
         or {"short", "along"} <= set(limbs)
+        or "ups" in limbs
     ):
         raise Unclear
     shared = one(pieces, "shared") is not None
@@ -259,7 +260,10 @@ def _you(pieces: Sequence[Piece], total: int | None) -> Sized:
     """A U: its base, and two legs that stand on the ends of it."""
     limbs, arm, dims = _limbs(pieces), _value(pieces, "arm"), _value(pieces, "dims")
     wide = limbs.pop("short", limbs.pop("bar", limbs.pop("along", (None, False))))[0]
-    deep = limbs.pop("long", limbs.pop("stem", limbs.pop("up", (arm, False))))[0]
+    ups = limbs.pop("ups", None)
+    deep = limbs.pop("long", limbs.pop("stem", limbs.pop("up", ups or (arm, False))))[0]
+    if ups and wide and ups[1]:
+        return Sized("a U", f", {wide} blocks wide and {deep + 1} blocks deep,", _agreed(total, wide + 2 * deep))
     if limbs or (dims and (wide or deep)):
         raise Unclear
     side = _value(pieces, "side")

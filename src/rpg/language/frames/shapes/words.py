@@ -126,7 +126,8 @@ OWN_GLUE: list[Pattern] = [
         "all the way (?:a?round)"),
     *patterns("glue", None, "(?:a?round)(?= in (?:a )?(?:circle|ring))",
         "shape|draw|makes|shaped|pattern|colors?|colored|in color|kind of"),
-    *patterns("glue", None, "looks? like|that looks like|like|resembling|represents|show|result|should|shall|must|"
+    *patterns("glue", None, "(?:as )?(?:seen|viewed|looked at) from above(?: ,)?|in (?:a |the )?top view",
+        "looks? like|that looks like|like|resembling|represents|show|result|should|shall|must|"
         "would|makes up|become|becomes|becoming|serves? as|acting as|acts as|take|takes|play|plays"),
 ]  # fmt: skip
 

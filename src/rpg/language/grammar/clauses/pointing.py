@@ -34,6 +34,7 @@ _POINTERS = {
     **{word: word.rpartition(" ")[2] for word in (
         "corner", "foot", "opening", "open side", "open end", "mouth", "tip", "apex", "point", "top", "stem", "base",
         "tail", "ends", "leg")},
+    **{f"{short} {arm}": "foot" for short in ("short", "shorter") for arm in ("side", "arm", "leg", "bar", "one")},
     **dict.fromkeys(("bar", "crossbar", "cross bar", "top bar", "crosspiece", "horizontal bar"), "bar"),
 }  # fmt: skip
 _OF_FIGURE = Patterns(

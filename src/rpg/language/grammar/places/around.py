@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING
 
 from rpg.core.diagnostics import Span
 from rpg.language.grammar.core import Parser, Results, choice, rule
+from rpg.language.grammar.places.four_sides import one_on_each, touching
+from rpg.language.grammar.places.regions import of_table
 from rpg.language.grammar.things.nouns import simple
 from rpg.language.later import later
 from rpg.language.meaning import (
@@ -15,11 +17,13 @@ from rpg.language.meaning import (
     Chain,
     Clause,
     Coord,
+    In,
     Loc,
     Manner,
     Meaning,
     Noun,
     Places,
+    Spacing,
     Structure,
     That,
     Traits,
@@ -31,7 +35,7 @@ if TYPE_CHECKING:
 else:
     (noun_phrase,) = later(__name__, "rpg.language.grammar.things.nouns", "noun_phrase")
 
-_IS = ("is", "are", "should be", "must be", "has to be", "shall be", "is to be", "being", "be", "needs to be")
+_IS = ("is", "are", "goes", "lies", "stands", "sits", "must go", "should go", "should be", "must be", "has to be", "shall be", "is to be", "being", "be", "needs to be")
 _FLANKED = ("flanked on both sides by", "flanked by", "flanked left and right by", "flanked on either side by",
             "flanked on each side by", "flanked on the left and right by", "flanked with")  # fmt: skip
 _FLANK = ("flank", "should flank", "must flank", "are flanking", "are to flank", "have to flank", "enclose", "frame")
@@ -48,23 +52,15 @@ _EACH_SIDE = tuple(f"on {sides}" for sides in ("each side", "each of its sides",
 """Which with one block could be two sides or four."""
 _AROUND = ("around it", "all around it", "round it", "surrounding it", "placed around it", "arranged around it",
            "standing around it", "around that one")  # fmt: skip
-_IN_SHAPE = {
-    f"{lead}{word}": kind
-    for lead in ("in a ", ", in a ", "as a ", "forming a ")
-    for word, kind in (("circle", "circle"), ("ring", "circle"), ("square", "square"))
-}  # fmt: skip
-_ONE_EACH = tuple(
-    f"{lead}{one}"
-    for lead in (",", ":", ", with", "")
-    for one in (
-        " one on each side", " one on every side", " one on each of its four sides", " one on each of its sides",
-        " one in front , one behind , one on each side", " one in front , one behind and one on each side",
-        " one in front , one behind , one left , one right",
-        " one in front , one behind , one on the left , one on the right",
-        " one to the left , one to the right , one in front , one behind",
-    )
-)  # fmt: skip
-_MIDDLE = ("in the middle", "in the center", "at the center")
+_AROUND = tuple(f"{how}{around}" for how in ("", "directly ", "immediately ", "right ") for around in _AROUND)
+_IN_SHAPE = ("in a", ", in a", "as a", ", as a", "forming a", ", forming a", "like a", ", like a", "to form a", "so that they form a",
+             ", so that they form a", "so that it forms a", "so that all nine form a", ", so that all nine form a")
+_SHAPES = {"circle": "circle", "ring": "circle", "square": "square"}
+_MIDDLE = ("in the middle", "in the center", "at the center", "to the middle", "to the center", "at the middle")
+_JOINTS = tuple(f"{joint}{put}" for joint in (", and", "and", ", with", ",", "with", "and then", ", then")
+                for put in ("", " put", " place", " arrange", " set"))  # fmt: skip
+_GO = ("go", "goes", "stand", "lie", "are", "are placed", "are arranged", "must go", "should go", "must be",
+       "should be")  # fmt: skip
 
 
 @rule
@@ -102,13 +98,16 @@ def _told(p: Parser, i: int) -> Results[Meaning]:
             yield from _shaped(p, i, k, hub, ring)
         owns = p.any_of(j, ("has", "should have", "must have", "with", "having", "gets"))
         there = p.any_of(be, _MIDDLE)
-        start = owns or (p.any_of(there, (", and", "and", ", with", ",", "with")) if there else 0)
+        table = of_table(p, there) if there else 0
+        start = owns or (p.any_of(table or there, _JOINTS) if there else 0)
         for ring, k in _rings(p, start):
             four = p.any_of(k, _ALL_SIDES) or (p.any_of(k, _EACH_SIDE) if ring.amount == _FOUR else 0)
             if four and ring.amount in (None, _ONE, _FOUR) and not p.anywhere(_BY_THE_FACE):
                 yield from _plus(p, i, four, hub, ring)
-            if end := p.any_of(k, _AROUND):
-                yield from _shaped(p, i, end, hub, ring)
+            if end := p.any_of(p.any_of(k, _GO) or k, _AROUND):
+                for whole, last in _shaped(p, i, end, hub, ring):
+                    yield _so(whole, _there(hub, In(region="middle", span=p.span(be, table)))) if table else whole, last
+    yield from _in_the_middle(p, i, begin)
     ahead = p.any_of(i, _ROUND)
     for hub, j in _hubs(p, ahead) if ahead else ():
         for ring, k in _rings(p, p.any_of(p.opt(j, ","), _THERE)):
@@ -127,7 +126,7 @@ def _told(p: Parser, i: int) -> Results[Meaning]:
         yield _with_all_others(p, i, k, hub, p.span(begin, others)), k
     yield from _kept_inside(p, i)
     for ring, j in _rings_at(p, ringed or begin):
-        mark = p.any_of(j, ("around", "all around", "round", "surrounding"))
+        mark = p.any_of(p.any_of(j, _GO) or j, ("around", "all around", "round", "surrounding"))
         for hub, k in _hubs(p, mark) if mark else ():
             if ringed:
                 yield _outlined(p, i, k, hub, ring, "circle"), k
@@ -135,6 +134,19 @@ def _told(p: Parser, i: int) -> Results[Meaning]:
                 yield from _shaped(p, i, k, hub, ring)
 
 
+def _in_the_middle(p: Parser, i: int, begin: int) -> Results[Clause]:
+    """ "In the middle a white block, and around it four red ones"."""
+    there = p.any_of(begin, _MIDDLE)
+    for hub, j in _hubs(p, p.any_of(there, _THERE_IS) or there) if there else ():
+        joint = p.any_of(j, _JOINTS)
+        ahead = p.any_of(joint, _AROUND) if joint else 0
+        for ring, k in _rings(p, (p.any_of(ahead, _THERE_IS) or ahead) if ahead else joint):
+            if end := k if ahead else p.any_of(p.any_of(k, _GO) or k, _AROUND):
+                yield from _shaped(p, i, end, hub, ring)
+
+
+_THERE_IS = ("there is", "there are", "is", "are", "lies", "lie", "stands", "stand", "there must be", "there should be",
+             "put", "place")  # fmt: skip
 _THERE = (*_COMMANDS, "are", "stand", "go", "there must be", "there should be", "there shall be", "must be",
           "should be")  # fmt: skip
 """What stands between "around the red block" and the blocks there."""
@@ -166,9 +178,18 @@ def _kept_inside(p: Parser, i: int) -> Results[Clause]:
             told += _shaped(p, i, around, hub, ring) if (around := p.any_of(k, _AROUND)) else ()
         stays = Clause(verb="keep", lemma="leave", theme=replace(hub, det="the"), mode="command",
                        adjuncts=(Manner(kind="stay", span=p.span(j, there)),), span=p.span(i, there))  # fmt: skip
-        so = That(kind="so", clauses=Chain(clauses=(stays,), links=("and",), span=stays.span), span=stays.span)
         for whole, k in told:
-            yield replace(whole, adjuncts=(*whole.adjuncts, so)) if kept else whole, k
+            yield _so(whole, stays) if kept else whole, k
+
+
+def _there(hub: Noun, place: In) -> Clause:
+    return Clause(verb="be", theme=replace(hub, det="the", amount=None), adjuncts=(place,), mode="goal", span=place.span)
+
+
+def _so(whole: Clause, told: Clause) -> Clause:
+    """A clause with what is told besides of one of its blocks."""
+    so = That(kind="so", clauses=Chain(clauses=(told,), links=("and",), span=told.span), span=told.span)
+    return replace(whole, adjuncts=(*whole.adjuncts, so))
 
 
 def _with_all_others(p: Parser, i: int, j: int, hub: Noun, span: Span) -> Clause:
@@ -231,14 +252,27 @@ def _between(p: Parser, i: int, j: int, hub: Noun, sides: Meaning) -> Clause:
 
 def _shaped(p: Parser, i: int, j: int, hub: Noun, ring: Noun) -> Results[Clause]:
     """Four blocks around one are a plus; of others the shape must be said."""
-    for phrase, k in p.standing(j, _IN_SHAPE):
-        if ring.amount is not None and (_IN_SHAPE[phrase] == "circle" or ring.amount == Amount(8, 8)):
-            yield _outlined(p, i, k, hub, ring, _IN_SHAPE[phrase]), k
-    each = p.any_of(j, _ONE_EACH) or _one_by_one(p, j)
-    if ring.amount == _FOUR:
+    for kind, k in _shapes(p, j):
+        if ring.amount is not None and (kind == "circle" or ring.amount == Amount(8, 8)):
+            yield _outlined(p, i, k, hub, ring, kind), k
+    each = one_on_each(p, j)
+    if ring.amount == _FOUR or (each and ring.amount is None and ring.plural):
         yield from _plus(p, i, each or j, hub, ring)
     elif not each and ring.plural and (ring.amount is None or _makes_a_circle(ring.amount)):
         yield _outlined(p, i, j, hub, ring, "circle"), j
+
+
+def _shapes(p: Parser, i: int) -> Results[str]:
+    """ "in a circle", "so that they form a 3x3 square": the figure that the blocks around one make (with it)."""
+    j = p.any_of(i, _IN_SHAPE)
+    if not j:
+        return
+    three = j + 1 if j < p.end and p.tokens[j].kind == "dims" and p.tokens[j].value == (3, 3) else 0
+    three = three or p.any_of(j, ("three by three", "3 by 3"))
+    if k := p.one(three or j, _SHAPES):
+        kind = _SHAPES[p.words[k - 1]]
+        if kind == "square" or not three:
+            yield kind, k
 
 
 def _of_any_look(ring: Noun) -> bool:
@@ -261,22 +295,6 @@ _SIDE = {
 }  # fmt: skip
 _ALL_FOUR = frozenset({"left", "right", "front", "behind"})
 _THEN = (", and", "and", ",")
-
-
-def _one_by_one(p: Parser, i: int) -> int:
-    """ ": one left, one right, one in front and one behind": the position behind what names each of the four sides."""
-    at, told = p.any_of(i, (":", ", with", ",", "with")) or i, set[str]()
-    while True:
-        sides = p.standing(p.opt(at, "one"), _SIDE)
-        if not sides:
-            return 0
-        told |= {*_SIDE[sides[-1][0]]}
-        at = sides[-1][1]
-        if told == _ALL_FOUR:
-            return at
-        at = p.any_of(at, _THEN)
-        if not at:
-            return 0
 
 
 @choice
@@ -321,12 +339,17 @@ def _on_sides(p: Parser, i: int, hub: Noun, had: tuple[Clause, ...]) -> Results[
 
 def _plus(p: Parser, i: int, j: int, hub: Noun, ring: Noun) -> Results[Clause]:
     arms = replace(ring, det="bare", amount=_FOUR, plural=True)
-    centre = Absolute(theme=hub, adjuncts=(At(side="middle", span=hub.span),), span=hub.span)
+    middle = replace(hub, det="a") if hub.det == "another" else hub
+    centre = Absolute(theme=middle, adjuncts=(At(side="middle", span=hub.span),), span=hub.span)
     rest = Absolute(theme=arms, adjuncts=(Places(side="rest", unit="block", span=ring.span),), span=ring.span)
     shape = Structure(
-        kind="plus", details=(Coord(op="absolutes", items=(centre, rest), span=hub.span),), span=p.span(i, j)
-    )
+        kind="plus", members=Coord(op="and", items=(hub, arms), span=hub.span),
+        details=(Coord(op="absolutes", items=(centre, rest), span=hub.span),), span=p.span(i, j),
+    )  # fmt: skip
     yield Clause(verb="build", theme=shape, mode="goal", span=p.span(i, j)), j
+    if k := touching(p, j, ring.traits):
+        gapless = (Spacing(kind="touching", span=p.span(j, k)),)
+        yield Clause(verb="build", theme=shape, adjuncts=gapless, mode="goal", span=p.span(i, k)), k
 
 
 def _outlined(p: Parser, i: int, j: int, hub: Noun, ring: Noun, kind: str) -> Clause:

@@ -27,7 +27,7 @@ def around_named(tokens: list[Token]) -> list[Token]:
         return tokens
     begin = next((n for n, word in enumerate(words) if word in ("the", "a", "an")), at)
     joint = next((n for n, word in enumerate(words) if word in _JOINTS), at)
-    if begin + 3 > joint or not _alone(words, begin, joint, at):
+    if begin + 3 > joint or not _alone(words, begin, joint, at) or _in_one(words, begin, joint):
         return tokens
     the, color, noun = (replace(token, span=tokens[at].span) for token in tokens[begin : begin + 3])
     out = [*tokens[:at], the.saying("the"), color, noun]
@@ -36,9 +36,19 @@ def around_named(tokens: list[Token]) -> list[Token]:
     return [*out, *tokens[at + 1 :]]
 
 
+def _in_one(words: list[str], begin: int, joint: int) -> bool:
+    """ "A green block in the middle and four white ones around it": in the middle of these, and of one figure."""
+    return words[joint] not in STOPS and " ".join(words[begin + 3 : joint]) in _MIDDLE
+
+
+_MIDDLE = frozenset({"in the middle", "in the center", "at the center"})
+
+
 def _ends(words: list[str], at: int) -> bool:
-    """Whether the sentence ends with "around it", and tells which blocks are: of "the others" it is told elsewhere."""
-    return (at + 1 == len(words) or words[at + 1] in STOPS) and _OTHERS.isdisjoint(words[:at])
+    """Whether the sentence ends with "around it", or tells of one on each side of it, and tells which blocks are: of
+    "the others" it is told elsewhere."""
+    ends = at + 1 == len(words) or words[at + 1] in STOPS or words[at + 1 : at + 4] == [",", "one", "on"]
+    return ends and _OTHERS.isdisjoint(words[:at])
 
 
 def _alone(words: list[str], begin: int, joint: int, at: int) -> bool:

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from rpg.language import lexicon
 from rpg.language.grammar.rows.across import ACROSS
+from rpg.language.grammar.rows.all_sides import all_sides
 from rpg.language.grammar.rows.alternatives import ALTERNATIVES, ALTERNATIVES_AT_ONCE
 from rpg.language.grammar.rows.around_it import AROUND_AT_ONCE, around_named
 from rpg.language.grammar.rows.asked_aloud import ASKED_ALOUD, ASKED_ALOUD_AT_ONCE
@@ -41,6 +42,7 @@ from rpg.language.grammar.rows.not_at_end import NOT_THERE, NOT_THERE_AT_ONCE, n
 from rpg.language.grammar.rows.not_consecutive import not_consecutive
 from rpg.language.grammar.rows.of_each_color import of_each_color
 from rpg.language.grammar.rows.order_matters import ORDER_MATTERS_AT_ONCE
+from rpg.language.grammar.rows.one_more import one_more
 from rpg.language.grammar.rows.ordered import ORDERED, ORDERED_AT_ONCE
 from rpg.language.grammar.rows.other_end import other_end_named, row_with_ends
 from rpg.language.grammar.rows.own_color import OWN_COLOR, OWN_COLOR_AT_ONCE
@@ -234,7 +236,7 @@ def _steps_told(tokens: list[Token]) -> list[Token]:
 
 _CHANGES = (
     listed_lines, column_words, labels_counted, announced_rainbow,
-    swapped_over, result_told, palindromes, around_named, some_of_the_letters, row_with_ends,
+    swapped_over, result_told, palindromes, one_more, all_sides, around_named, some_of_the_letters, row_with_ends,
     other_end_named, rows_by_number, told_by_places, _steps_told, _one_of_each, of_each_color, corners_again,
     not_at_end, of_the_figure, word_again, range_but, not_consecutive, so_many_inside,
 )  # fmt: skip

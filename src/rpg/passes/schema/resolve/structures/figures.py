@@ -145,6 +145,8 @@ def _outline(shape: Structure, count: int | None) -> tuple[tuple[int, int] | Non
     """The sides of an outline and the number of blocks on it, where they were said."""
     if shape.kind in ("T", "L", "U", "plus"):
         return limbs_of(shape, count)
+    if shape.kind == "triangle":
+        return _of_triangle(shape, count)
     side = shape.extent("side")
     deep, wide, long = (shape.extent(*said) for said in (("rows", "deep"), ("wide", "columns"), ("long",)))
     dims = shape.dims or tuple(n for n in (deep, wide, long) if n is not None)
@@ -159,8 +161,6 @@ def _outline(shape: Structure, count: int | None) -> tuple[tuple[int, int] | Non
         return (dims[0], dims[1]), 2 * (dims[0] + dims[1]) - 4
     if side is not None and shape.kind == "square":
         return (side, side), 4 * side - 4
-    if side is not None and shape.kind == "triangle":
-        return (side, side), side * (side + 1) // 2 if shape.filled else 3 * side - 3
     if shape.kind == "square" and count is not None and count % 4:
         raise refuse(
             "count-mismatch",
@@ -170,6 +170,17 @@ def _outline(shape: Structure, count: int | None) -> tuple[tuple[int, int] | Non
             blocks=count,
         )
     return None, count if count is not None else None
+
+
+def _of_triangle(shape: Structure, count: int | None) -> tuple[tuple[int, int] | None, int | None]:
+    """A triangle by its sides or its base; by its rows, of which every one is told of where it is filled."""
+    rows = shape.extent("rows")
+    side = shape.extent("side", "base") or rows
+    if rows is not None and rows > 3 and not shape.filled:
+        raise refuse("ambiguous", "this triangle could be filled, or an outline", shape.span, "say 'a filled triangle'")
+    if side is None:
+        return None, count
+    return (side, side), side * (side + 1) // 2 if shape.filled else 3 * side - 3
 
 
 _POINTERS = {

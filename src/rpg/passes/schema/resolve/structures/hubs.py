@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
+
+from rpg.blocks.figures import Cell
 from rpg.ir import structures as s
 from rpg.language.meaning import (
     Absolute,
@@ -18,6 +22,7 @@ from rpg.language.meaning import (
     replace,
 )
 from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.orders.orders import order_of
 from rpg.passes.schema.resolve.orders.parts import cells_of, laid, place_of
 from rpg.passes.schema.resolve.structures.extents import Made, made
 from rpg.passes.schema.resolve.things.refer import refer
@@ -65,7 +70,7 @@ def outlines(clause: Clause, named: Structure | None = None) -> bool:
 
 def hub_of(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> Absolute | None:
     """What is said of the middle of an outline of blocks that look otherwise."""
-    found = [a for a in spec.absolutes if isinstance(at := place_of(a), At) and at.side == "middle"]
+    found = [a for a in spec.absolutes if _inside(a)]
     if shape.kind not in OUTLINES or len(found) != 1 or not isinstance(found[0].theme, Noun):
         return None
     middle = found[0].theme
@@ -77,8 +82,20 @@ def hub_of(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> Abs
     if not _single(middle) or not told or set(own) & set(middle.traits.colors):
         return None
     every = isinstance(source, Noun) and source.traits == Traits() and source.amount is None
-    open_ = _around(found[0]) or (shape.kind == "circle" and (every or bool(own)))
+    open_ = _around(found[0]) or (shape.kind == "circle" and (every or bool(own) or _alternating(spec)))
     return found[0] if (own and "" not in own) or (open_ and not {*own} - {""}) else None
+
+
+def _inside(item: Absolute) -> bool:
+    """ "(with a white one) in the middle", "in the middle of it"."""
+    place = item.adjuncts[0] if len(item.adjuncts) == 1 else None
+    if isinstance(place, Loc):
+        return place.rel == "between" and isinstance(place.landmark, Pronoun) and place.landmark.word == "it"
+    return isinstance(at := place_of(item), At) and at.side == "middle"
+
+
+def _alternating(spec: Spec) -> bool:
+    return [order.by for order in spec.orders] == ["alternating"]
 
 
 def _around(hub: Absolute) -> bool:
@@ -95,11 +112,15 @@ def with_hub(names: tuple[str, ...], hub: Absolute, shape: Structure, spec: Spec
         raise refuse("ambiguous", "it is not clear which block is in the middle", hub.span, "name one further block")
     if scene.denying:
         raise refuse("ambiguous", "it is not clear what of this is denied", hub.span, "say it in two sentences")
-    if _around(hub) or all(scene.things[n].color is None for n in names):
+    alternating = shape.kind == "circle" and _alternating(spec)
+    if alternating:
+        order_of(spec, names, "row", scene, Scope(role="member"), shape.span)
+        spec.orders = []
+    elif _around(hub) or all(scene.things[n].color is None for n in names):
         _of_one_look([scene.things[n] for n in names], scene)
     looks = {(t.color, t.label, t.kind, t.size) for t in (scene.things[n] for n in names)}
     ring = shape.kind == "circle"
-    if len(looks) > 1 or spec.orders or spec.patterns or (not ring and len(names) != 8):
+    if len(looks) > 1 + alternating or spec.orders or spec.patterns or (not ring and len(names) != 8):
         raise refuse("misplaced", "this outline has no single middle that could be told so", hub.span,
                      "use a circle or a square of eight blocks that look alike")  # fmt: skip
     count = len(names) + 1
@@ -109,10 +130,27 @@ def with_hub(names: tuple[str, ...], hub: Absolute, shape: Structure, spec: Spec
     at = next((k for k, cell in enumerate(cells) if abs(cell.x) + abs(cell.y) < 0.01), None)
     if at is None:
         raise refuse("too-few", f"{len(names)} blocks do not go around another one", shape.span, "use eight")
-    pattern = laid(form, (names[:at], middle, names[at:]))
+    if alternating:
+        names = _in_turn(names, [cells[k] for k in range(count) if k != at], shape, scene)
+        ranks = tuple((n,) for n in (*names[:at], *middle, *names[at:]))
+    else:
+        ranks = (names[:at], middle, names[at:])
+    pattern = laid(form, ranks)
     every = (*names, *middle)
     node = form.model_copy(update={"blocks": every, "pattern": pattern, "span": shape.span})
     return made(shape.kind, node, every, shape.span, scene)
+
+
+def _in_turn(names: tuple[str, ...], cells: Sequence[Cell], shape: Structure, scene: Scene) -> tuple[str, ...]:
+    """The blocks of a ring cell by cell, so that two looks take turns all the way round."""
+    first = [n for n in names if scene.things[n].color == scene.things[names[0]].color]
+    other = [n for n in names if n not in first]
+    if len(first) != len(other):
+        raise refuse("count-mismatch", "these colours do not alternate all the way round", shape.span,
+                     "use as many blocks of the one as of the other")  # fmt: skip
+    round_ = sorted(range(len(cells)), key=lambda k: math.atan2(cells[k].y, cells[k].x))
+    turns = dict(zip(round_, (n for pair in zip(first, other, strict=True) for n in pair), strict=True))
+    return tuple(turns[k] for k in range(len(cells)))
 
 
 def _of_one_look(ring: list[Thing], scene: Scene) -> None:

@@ -161,7 +161,7 @@ _SIZES = {
     "cube": {"dims", "side", "size", "wide", "deep", "high", "long", "layers"},
     "square": {"size", "side", "dims", "rows", "columns", "wide", "long", "deep", "layers", "high", "corners"},
     "rectangle": {"size", "dims", "rows", "columns", "wide", "long", "deep", "corners"},
-    "triangle": {"size", "side", "corners"}, "circle": {"size"},
+    "triangle": {"size", "side", "corners", "rows", "base"}, "circle": {"size"},
     "checkerboard": {"dims", "rows", "columns", "size", "side"},
     "gradient": {"size", "long"}, "word": {"size"}, "T": {"size", "bar", "stem", "high", "wide"},
     "L": {"size", "long arm", "short arm", "equal arms", "each arm", "shared", "high", "long", "wide"},

@@ -129,7 +129,9 @@ _PLACE = (
 _LINED = f"^((?:.*? )?(?:row|lined?|arrange|order)\\b.*?)(?:(?: ,| :)(?: {_SO})?| {_SO})"
 _KIND = "(?:the |all |all the |all of the )?(letters|digits|numbers)(?: cubes| blocks)?"
 _COME = f"(?:(?:{MUST} )?(?:come|go|stand|be|are|coming|standing|going|placed) )?"
+_SYMBOLIC = "(?:digits|numbers|letters|numerals|(?:digit|number|letter) (?:blocks|cubes))"
 ORDERED_AT_ONCE: tuple[Turn, ...] = (
+    (f"\\b({_SYMBOLIC}) (\\w) down to (?=\\w\\b)", "{1} from {2} down to "),
     # the one kind of symbols before the other
     (f"{_LINED} {_KIND} {_COME}(?:before|ahead of) {_KIND}$", "{1} , the {2} first"),
     (f"{_LINED} {_KIND} {_COME}after {_KIND}$", "{1} , the {3} first"),

@@ -13,6 +13,7 @@ from rpg.language.frames.lines import parts as rowparts
 from rpg.language.frames.lines import plainer as rowplainer
 from rpg.language.frames.lines import sizes as rowsizes
 from rpg.language.frames.lines import words as rowwords
+from rpg.language.frames.lines.appended import APPENDED, append, without_appended
 from rpg.language.frames.lines.counts import facts_of, facts_of_listed, numbered
 from rpg.language.frames.lines.places import STOPS, Said, said_of
 from rpg.language.frames.lines.sentences import Colored, Row, in_words
@@ -28,6 +29,7 @@ PATTERNS: list[Pattern] = [
         r"number", r"(?P<n>\d+)(?= (?:in|on|make|making|form|forming) (?:a|one) )",
         r"(?:quantity|count|amount|number)(?: (?:BE|of|:))? (?P<n>\d+)(?= (?:[,.;)]|$))",
         r"(?P<n>\d+)(?: BLOCK)?(?= (?:row|line|column) )"),
+    *APPENDED,
     *rowparts.OF_THEM,
     *rowsizes.SIZED,
     *rowplainer.PLACES,
@@ -53,6 +55,7 @@ def told(pieces: Sequence[Piece]) -> str:
     Raises:
         Unclear: it is not told which blocks it is made of, or what is told of their order leaves it open.
     """
+    pieces, more = without_appended(pieces)
     pieces = rowsizes.sized(rowplainer.listed(rowplainer.beforehand(rowplainer.singly(pieces))))
     check_lots(pieces)
     check_words(pieces)
@@ -95,6 +98,8 @@ def told(pieces: Sequence[Piece]) -> str:
     hues = size if open_rainbow else len(row.counts)
     if any(piece.kind == "hues" and piece.value != hues for piece in pieces):
         raise Unclear
+    if more:
+        append(row, more)
     return in_words(row, pieces, Colored())
 
 

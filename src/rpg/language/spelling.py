@@ -261,17 +261,23 @@ def read_words(tokens: list[Token]) -> tuple[list[Token], list[str], list[Diagno
 
 
 def _letter_by_letter(tokens: list[Token]) -> list[Token]:
-    """ "Spell c-a-t": one word, told by its letters."""
+    """ "Spell c-a-t", "spell P A P E R": one word, told by its letters."""
     out: list[Token] = []
     at = 0
     while at < len(tokens):
+        ahead = out[-1].word if out else ""
         end = at
         while [t.raw for t in tokens[end + 1 : end + 2]] == ["-"] and all(
             len(t.raw) == 1 for t in tokens[end : end + 3 : 2]
         ):
             end += 2
-        word = "".join(t.raw for t in tokens[at : end + 1 : 2])
-        if end > at + 2 and word.isalpha() and out and out[-1].word in _SPELLERS | _WRITERS | _WORD_LEADS | {"out"}:
+        letters = tokens[at : end + 1 : 2]
+        if end == at and ahead in _SPELLERS | _WORD_LEADS:
+            letters = [*takewhile(lambda token: len(token.raw) == 1 and token.raw.isupper(), tokens[at:])]
+            end = at + len(letters) - 1
+            letters = [] if [t.word for t in tokens[end + 1 : end + 2]] in ([","], ["and"]) else letters
+        word = "".join(t.raw for t in letters)
+        if len(letters) > 2 and word.isalpha() and ahead in _SPELLERS | _WRITERS | _WORD_LEADS | {"out"}:
             out.append(
                 replace(tokens[at], word=word.lower(), raw=word.upper(), span=(tokens[at].span[0], tokens[end].span[1]))
             )

@@ -67,6 +67,9 @@ _NOT_LITERAL = frozenset(
         "these",
         "this",
         "those",
+        "again",
+        "backwards",
+        "backward",
     }
 )
 

@@ -4,7 +4,7 @@ or touch: as rows that say the order in its common words."""
 from __future__ import annotations
 
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, END, MANY, MUST
+from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, END, MANY, MUST, WAY
 
 ALONG = (
     "(?:(?:going |read |reading |running |seen )?(?:from )?(?:the )?left to (?:the )?right"
@@ -198,6 +198,8 @@ ORDERED_AT_ONCE: tuple[Turn, ...] = (
     (f"(?:,? ?(?:sorted|ordered|arranged) )?\\b{_BACK}\\b", "in reverse alphabetical order"),
     (f"(?<!in )(?:,? ?(?:sorted|ordered|arranged) )?\\b{_ALPHABET}\\b(?! of)", "in alphabetical order"),
     # along which way
+    (f"\\b(row|line|column|tower|stack) (?:that|which) (?:runs|goes|leads|reads|is read|is to be read) ({WAY})\\b",
+     "{1} {2}"),
     ("\\b(?:one|each) (?:after|behind) (?:the other|another|one another|the next) ,? ?(?=(?:from )?(?:the )?front to "
      "(?:the )?back)", "in a column "),
     ("\\b(?:starting|beginning) (?:from|on|at) the left(?: end| side)?(?= :| ,|$| in | with)", "from left to right"),

@@ -17,6 +17,7 @@ from rpg.language.harmless import EVERYDAY
 from rpg.language.not_here import HINTS
 from rpg.language.other_words import OTHER_WORDS
 from rpg.language.roles import as_anyone, as_nice, names_as_words
+from rpg.language.symbol_runs import runs_apart
 from rpg.language.tokens import Token
 from rpg.language.who_acts import as_robot
 
@@ -233,7 +234,7 @@ def _likeliest(word: str, close: list[str]) -> list[str]:
 def read_words(tokens: list[Token]) -> tuple[list[Token], list[str], list[Diagnostic]]:
     """The tokens with misspellings mended and words to be spelt marked; assumptions; unknown words."""
     known = vocabulary()
-    tokens = _letter_by_letter(as_robot(as_anyone(as_nice(names_as_words(tokens)), known), known))
+    tokens = _letter_by_letter(as_robot(as_anyone(as_nice(names_as_words(runs_apart(tokens))), known), known))
     shouting = (
         sum(t.raw.isupper() and len(t.raw) > 1 for t in tokens) * 2 > len([t for t in tokens if t.kind == "word"])
         and len(tokens) > 3

@@ -317,7 +317,7 @@ def read_sentence(tokens: list[Token], thorough: bool = False) -> Sentence:
         link, start = "then", j
     first = p.opt(p.opt(start, "first"), ",", ":")
     start = first if p.words[first] == "either" else start
-    if link == "and" and (j := max(AFTER_THAT.matches(p, start), default=0)):
+    if link != "before" and (j := max(AFTER_THAT.matches(p, start), default=0)):  # "then, once this is done, ..."
         link, start = "then", emphasised(p, p.opt(j, ",", ":"))
     try:
         read = [(cost_of(c), n, or_listed(p, c)) for n, (c, j) in enumerate(chain(p, start)) if _ends(p, j)]

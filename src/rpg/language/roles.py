@@ -63,13 +63,13 @@ _LONGEST = 4
 
 
 def names_as_words(tokens: list[Token]) -> list[Token]:
-    """The tokens with "the word" for whosever name is told in capitals: "my little niece's name, OLA,"."""
+    """The tokens with "the word" for whosever name is told in capitals: "my little niece's name, OLA,", "my name, LEO,"."""
     words = [token.word for token in tokens]
     at = words.index("name") if "name" in words else 0
-    if at < 3 or words[at - 1] != "'s":
+    if not at or (words[at - 1] != "'s" and words[at - 1] not in _OWN):
         return tokens
     mark = at + 1 + (words[at + 1 : at + 2] != [] and words[at + 1] in _MARKS)
-    begin = next((n for n in range(at - 2, max(at - 2 - _LONGEST, -1), -1) if words[n] in _OWN), at)
+    begin = next((n for n in range(at - 1, max(at - 2 - _LONGEST, -1), -1) if words[n] in _OWN), at)
     shown = mark < len(tokens) and tokens[mark].kind == "word" and tokens[mark].raw.isupper() and len(words[mark]) > 1
     if begin == at or not shown or any(word in table for word in words[begin:at] for table in (*_THINGS, *_LOOKS)):
         return tokens

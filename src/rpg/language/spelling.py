@@ -17,6 +17,7 @@ from rpg.language.harmless import EVERYDAY
 from rpg.language.not_here import HINTS
 from rpg.language.other_words import OTHER_WORDS
 from rpg.language.roles import as_anyone, as_nice, names_as_words
+from rpg.language.symbol_runs import runs_apart
 from rpg.language.tokens import Token
 from rpg.language.who_acts import as_robot
 
@@ -67,6 +68,9 @@ _NOT_LITERAL = frozenset(
         "these",
         "this",
         "those",
+        "again",
+        "backwards",
+        "backward",
     }
 )
 
@@ -230,7 +234,7 @@ def _likeliest(word: str, close: list[str]) -> list[str]:
 def read_words(tokens: list[Token]) -> tuple[list[Token], list[str], list[Diagnostic]]:
     """The tokens with misspellings mended and words to be spelt marked; assumptions; unknown words."""
     known = vocabulary()
-    tokens = _letter_by_letter(as_robot(as_anyone(as_nice(names_as_words(tokens)), known), known))
+    tokens = _letter_by_letter(as_robot(as_anyone(as_nice(names_as_words(runs_apart(tokens))), known), known))
     shouting = (
         sum(t.raw.isupper() and len(t.raw) > 1 for t in tokens) * 2 > len([t for t in tokens if t.kind == "word"])
         and len(tokens) > 3
@@ -261,17 +265,23 @@ def read_words(tokens: list[Token]) -> tuple[list[Token], list[str], list[Diagno
 
 
 def _letter_by_letter(tokens: list[Token]) -> list[Token]:
-    """ "Spell c-a-t": one word, told by its letters."""
+    """ "Spell c-a-t", "spell P A P E R": one word, told by its letters."""
     out: list[Token] = []
     at = 0
     while at < len(tokens):
+        ahead = out[-1].word if out else ""
         end = at
         while [t.raw for t in tokens[end + 1 : end + 2]] == ["-"] and all(
             len(t.raw) == 1 for t in tokens[end : end + 3 : 2]
         ):
             end += 2
-        word = "".join(t.raw for t in tokens[at : end + 1 : 2])
-        if end > at + 2 and word.isalpha() and out and out[-1].word in _SPELLERS | _WRITERS | _WORD_LEADS | {"out"}:
+        letters = tokens[at : end + 1 : 2]
+        if end == at and ahead in _SPELLERS | _WORD_LEADS:
+            letters = [*takewhile(lambda token: len(token.raw) == 1 and token.raw.isupper(), tokens[at:])]
+            end = at + len(letters) - 1
+            letters = [] if [t.word for t in tokens[end + 1 : end + 2]] in ([","], ["and"]) else letters
+        word = "".join(t.raw for t in letters)
+        if len(letters) > 2 and word.isalpha() and ahead in _SPELLERS | _WRITERS | _WORD_LEADS | {"out"}:
             out.append(
                 replace(tokens[at], word=word.lower(), raw=word.upper(), span=(tokens[at].span[0], tokens[end].span[1]))
             )

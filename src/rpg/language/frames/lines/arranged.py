@@ -67,6 +67,13 @@ def completed(slots: Sequence[str], counts: Counter[str], pattern: str) -> list[
     return found
 
 
+def follows(slots: Sequence[str], counts: Counter[str], pattern: str) -> bool:
+    """Whether what is told of places is so in every order with the pattern, as what is in the middle of a mirrored row
+    of which there is an odd number."""
+    orders = list(_orders([""] * len(slots), counts, pattern))
+    return all(told in ("", look) for order in orders for told, look in zip(slots, order, strict=True))
+
+
 def _orders(slots: Sequence[str], counts: Counter[str], pattern: str) -> Iterator[list[str]]:
     """The orders with a pattern; without one, those that fill what is left."""
     looks, size = list(counts), len(slots)

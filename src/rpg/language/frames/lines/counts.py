@@ -21,17 +21,21 @@ def facts_of(said: Said, lots: list[Lot], size: int | None, pattern: str) -> tup
     whole = bool(size) and all(lot.count for lot in lots) and sum(lot.count or 0 for lot in lots) == size
     added: Counter[str] = Counter()
     facts = []
+    besides = False
     for placed in said.placed:
         lot, (name, nth) = placed.lot, placed.place
         same = free.get(lot.look)
-        if same is None and free and (lot.known or (lot.count is None and all(other.count for other in lots))):
-            raise Unclear  # "the red one" where none is told; "three orange blocks, white on the left"
+        if same is None and free and lot.known:
+            raise Unclear  # "the red one" where none is told
+        besides = besides or (same is None and bool(free) and lot.count is None and all(one.count for one in lots))
         if same and not lot.known and lot.count and same.count and not (placed.within or whole):
             raise Unclear
         many = _how_many(lot, name, same, pattern)
         if same is None:
             added[lot.look] += many
         facts.append((name, nth, lot.look, many))
+    if besides and size != sum(lot.count or 0 for lot in lots) + added.total():
+        raise Unclear  # "three orange blocks, white on the left", but not "a row of four: ..."
     return [*lots, *(Lot(look, many) for look, many in added.items())], facts
 
 

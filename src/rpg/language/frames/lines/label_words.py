@@ -18,7 +18,7 @@ _NEXT = (
     r"first|last|second|third|\.)"
 )
 _SPEAKS = "(?:can|could|want|need|have|would|like|see|wish|should|am|will|must|may|read|do|get|expect)"
-_L = (
+LABEL = (
     rf"[A-HJ-Z]|I(?= (?:(?:,|and|[A-Z]|in|on|at|from|is|are|to|block|cube|\.) |$))|[b-hj-z]|\d(?! of )|'[A-Z0-9]'|"
     rf"a(?= (?:{_NEXT} |$))|i(?= (?:,|and|[A-Z]|[b-hj-z]|BE) )"
 )
@@ -51,19 +51,19 @@ _TO = "(?:to|through|thru|till|until|up to|…|down to|up through)"
 LABELS: list[Pattern] = [
     *patterns("lot", None,
         rf"(?:(?P<det>the|a|an|one|my) )?(?:{_ONE} )?(?:{_ONE} (?:{_CARRIES} (?:the |a |an )?(?:{_NOUN} "
-        rf")?)?)?(?P<label>{_L})(?: {_ONE})?(?! blocks)",
+        rf")?)?)?(?P<label>{LABEL})(?: {_ONE})?(?! blocks)",
         r"(?P<count>\d|a|an|one|two|three|four|five|six) (?P<label>[A-Z]) (?:blocks|block|cubes|cube)",
         rf"(?:the )?(?P<label>[A-Z])(?: {_ONE})? (?:(?:x|times) (?P<count>\d)|(?:(?:appears|occurs|comes) )?"
         r"(?P<often>once(?! each)|twice|\d(?= times))(?: times)?)",
         r"(?P<count>\d) (?:x|times) (?:the )?(?P<label>[A-Z])"),
     *patterns("range", _range,
-        rf"(?:the )?(?:{_NOUN} |blocks |cubes )?(?:(?P<way>from|starting with|beginning with) )?(?P<first>{_L}|"
-        rf"one) {_TO} (?P<last>{_L})(?: inclusive)?",
-        rf"(?:from )?(?P<first>{_L}) (?:at|on) the (?P<side>left|right)(?: end| side)? {_TO} (?P<last>{_L}) (?:at|"
+        rf"(?:the )?(?:{_NOUN} |blocks |cubes )?(?:(?P<way>from|starting with|beginning with) )?(?P<first>{LABEL}|"
+        rf"one) {_TO} (?P<last>{LABEL})(?: inclusive)?",
+        rf"(?:from )?(?P<first>{LABEL}) (?:at|on) the (?P<side>left|right)(?: end| side)? {_TO} (?P<last>{LABEL}) (?:at|"
         rf"on) the (?:left|right)(?: end| side)?"),
     *patterns("range", _every_other,
-        rf"(?:all )?(?:of )?(?:the )?(?P<which>even|odd) (?:{_NOUN}|BLOCK)(?: from)? (?P<first>{_L}|one) {_TO} "
-        rf"(?P<last>{_L})(?: inclusive)?(?! from )"),
+        rf"(?:all )?(?:of )?(?:the )?(?P<which>even|odd) (?:{_NOUN}|BLOCK)(?: from)? (?P<first>{LABEL}|one) {_TO} "
+        rf"(?P<last>{LABEL})(?: inclusive)?(?! from )"),
     *patterns("range", lambda match: list(_LETTERS[: int(match["n"])]),
         r"(?:the )?first (?P<n>\d+) letters(?: of the alphabet| in the alphabet)?"),
     *patterns("range", lambda match: list(_DIGITS), r"all (?:of )?(?:the )?(?:10 )?(?:digits|numerals)(?= )(?! "
@@ -195,7 +195,7 @@ KINDS: list[Pattern] = [
 ]  # fmt: skip
 """Kinds "kinds" (which kind of labels stands ahead of which), "alternate", and "each kind" is sorted for itself."""
 
-_LOOK = rf"(?:(?:the|a|an) )?(?:{_ONE} )?(?:{_L}|COLOR)(?: {_ONE})?"
+_LOOK = rf"(?:(?:the|a|an) )?(?:{_ONE} )?(?:{LABEL}|COLOR)(?: {_ONE})?"
 _JUST = "(?:immediately|directly|right|just)"
 _LEFT, _RIGHT = (
     "(?:to the left of|left of|on the left of|left from|on the left side of)",

@@ -14,6 +14,7 @@ from rpg.language.frames.lines import label_words as labelwords
 from rpg.language.frames.lines import parts as rowparts
 from rpg.language.frames.lines import plainer as rowplainer
 from rpg.language.frames.lines import words as rowwords
+from rpg.language.frames.lines.appended import APPENDED, append, without_appended
 from rpg.language.frames.lines.arranged import Fact, filled
 from rpg.language.frames.lines.ordered import KINDS, WAYS, Labelled, in_sort, in_sort_words, sort_of
 from rpg.language.frames.lines.places import STOPS, Said, said_of
@@ -23,6 +24,7 @@ from rpg.language.frames.lots import LOTS, Lot, lot_of, one
 from rpg.language.frames.pieces import Pattern, Piece, Unclear, number
 
 PATTERNS: list[Pattern] = [
+    *APPENDED,
     *labelwords.LABELS,
     *labelgroups.GROUPS,
     *labelwords.KINDS,
@@ -48,6 +50,7 @@ def told(pieces: Sequence[Piece]) -> str:
     Raises:
         Unclear: it is not told which blocks it is made of, or what is told of their order does not agree.
     """
+    pieces, more = without_appended(pieces)
     pieces = rowplainer.listed(labelgroups.gathered(expanded(pieces)))
     check_lots(pieces)
     check_words(pieces)
@@ -58,7 +61,7 @@ def told(pieces: Sequence[Piece]) -> str:
     total = one(pieces, "total")
     row.direction = direction.value if direction else ""
     lots_at = _lots_at(pieces)
-    if not lots_at and all(piece.kind != "relation" for piece in pieces):
+    if not lots_at and not more and all(piece.kind != "relation" for piece in pieces):
         return _unnamed(row, pieces)
     said = said_of(pieces, lots_at)
     row.set_off = bool(said.lists) and set_off(
@@ -91,6 +94,9 @@ def told(pieces: Sequence[Piece]) -> str:
             and len(labels) > len(row.facts) + 1
         ):
             raise Unclear  # "with D at the left and A at the right": as if it were sorted
+        text = in_words(row, pieces, Labelled())
+    if more:
+        append(row, more)
         text = in_words(row, pieces, Labelled())
     if "free" in kinds and (sort or row.order or not row.facts):
         raise Unclear

@@ -137,7 +137,8 @@ def _way(row: Row, pieces: Sequence[Piece], sort: str, needed: bool) -> str:
         return row.direction or ways[0] * needed
     if row.order is None:
         raise Unclear
-    for way in [row.direction] if row.direction else ways[: 2 if sort == "either" else 1]:
+    open_way = sort == "either" or row.near == "front"  # a column has no end where everyone begins
+    for way in [row.direction] if row.direction else ways[: 2 if open_way else 1]:
         try:
             in_words(Row(row.noun, way, "", row.counts, row.order, row.facts), pieces, Labelled())
         except Unclear:

@@ -14,7 +14,7 @@ _LENGTH = (
 )
 _NEIGHBORS = (
     "(?: (?:in )?(?:between|from) (?:(?:each|all|the|every|any|every 2|each 2|any 2|2|all the|all of the|adjacent|"
-    "neighboring|adjoining|consecutive|successive|their|each and every|all of|each of|any 2 of|every 2 of|each 2 of) "
+    "neighboring|adjoining|consecutive|successive|their|each and every|all of|each of|any 2 of|every 2 of|each 2 of|one) "
     ")*(?:BLOCK|neighbors?|neighboring|ones?|them|"
     "other|another|faces|pair|pairs|edges|sides|pair of neighbors|pair of BLOCK|pair of neighboring BLOCK)(?: and "
     "(?:the )?(?:next|its neighbor|each other)(?: one| BLOCK)?| to (?:the )?next(?: one)?)?)"
@@ -47,17 +47,24 @@ _GAP = "(?:gaps?|spaces?|clearance|free space|clear space|empty space|room|air|b
 _DISTANCE = "(?:distances?|spacing|separation|intervals?)"
 _EACH = "(?:each |all |every |always |(?:each|every) (?:one )?(?:BLOCK )?)"
 _NEXT_ONE = "(?:its neighbors?|the next(?: one| BLOCK)?|the one (?:before|beside) it|its neighboring BLOCK)"
+_ONE_TO_NEXT = (
+    "(?:in )?(?:between|from) (?:(?:each|every) )?(?:one|BLOCK)? ?(?:and|to) (?:the|its) (?:next|neighbor)(?: one| "
+    "BLOCK)?(?: in (?:the )?(?:row|line|column))?,? (?:there )?(?:BE |leave |keep )?"
+)
 SPACING: list[Pattern] = [
     *_length("The gap between neighbors is {}.",
-        f"(?:(?:a|the|with|of|leaving|leave|keep|let|separated|spaced|parted|by|adjacent|neighboring|BLOCK|BE|each) "
+        f"{_ONE_TO_NEXT}(?:a |an )?{_GAP}(?: of| :)* {_LENGTH}", f"{_ONE_TO_NEXT}{_LENGTH}(?: of)? {_GAP}",
+        f"(?:(?:a|the|with|of|leaving|leave|keep|let|separated|spaced|parted|by|adjacent|neighboring|BLOCK|there BE|"
+        f"BE|each) "
         f")*(?:equal |even |uniform |same |regular |constant |small |wide |clear "
         f")*{_GAP}(?:{_NEIGHBORS}|{_FACES})?(?: BE)?(?: (?:each|all|always))?(?: of| :| =| exactly)* {_LENGTH}(?: "
         f"wide| each)?(?:{_NEIGHBORS}|{_FACES})?",
-        f"(?:(?:with|a|leaving|leave|keep|let|at) )*{_LENGTH}(?: wide)?(?: of)? (?:wide )?{_GAP}(?: "
+        f"(?:(?:with|a|leaving|leave|keep|let|at|there BE) )*{_LENGTH}(?: wide)?(?: of)? (?:wide )?{_GAP}(?: "
         f"each)?(?:{_NEIGHBORS}|{_FACES})?",
         f"(?:(?:with|leaving|leave|keep|let|at) )*{_LENGTH}(?:{_NEIGHBORS}|{_FACES})(?! centers)",
         f"(?:(?:a|the|with|of|leaving|leave|keep) )*{_DISTANCE}{_FACES}(?: BE)?(?: of| :| =)* {_LENGTH}"),
-    *_length("The blocks are {} apart.",
+    *_length("The blocks are {} apart.", f"{_ONE_TO_NEXT}(?:a |an )?{_DISTANCE}(?: of| :)* {_LENGTH}",
+        f"{_ONE_TO_NEXT}{_LENGTH}(?: of)? {_DISTANCE}",
         f"(?:with )?(?:each|every)(?: BLOCK| one)? (?:BE )?{_LENGTH} (?:away )?from {_NEXT_ONE}",
         f"(?:BE )?spaced (?:at |by |out )?{_LENGTH}",
         f"(?:(?:spaced|set|placed|at|with|standing|sitting|lying|BE) )*{_EACH}?{_LENGTH} apart(?: from (?:each other|"
@@ -72,7 +79,7 @@ SPACING: list[Pattern] = [
         f"2)* ?(?:BLOCK|neighbors))?(?: BE)?(?: spaced)? {_LENGTH} apart", f"{_CENTERS}(?: distance| spacing)?(?: "
         f"BE| of| :)* {_LENGTH}",
         f"(?:(?:with|a|of) )*(?:pitch|center distance|center spacing)(?: BE| of| :)* {_LENGTH}"),
-    *patterns("spacing", "The blocks touch each other.",
+    *patterns("spacing", "The blocks touch each other.", f"{_ONE_TO_NEXT}no (?:{_GAP}|{_DISTANCE})",
         "(?:(?:they|all|each|must|should|shall|so|that|everything|every one|every|one|BLOCK|of them|the) )*(?:BE "
         ")?(?:all )?(?:just )?(?:to )?(?:touching|touch|touches|contacting|in contact(?: with)?|in touch with)(?: "
         "(?:each other|one another|(?:the|its|their) (?:next|neighbors?|neighbor)(?: one| BLOCK| in (?:the )?(?:row|"

@@ -13,6 +13,7 @@ from rpg.language.frames.lines import parts as rowparts
 from rpg.language.frames.lines import plainer as rowplainer
 from rpg.language.frames.lines import sizes as rowsizes
 from rpg.language.frames.lines import words as rowwords
+from rpg.language.frames.lines.appended import APPENDED, append, without_appended
 from rpg.language.frames.lines.counts import facts_of, facts_of_listed, numbered
 from rpg.language.frames.lines.places import STOPS, Said, said_of
 from rpg.language.frames.lines.sentences import Colored, Row, in_words
@@ -28,6 +29,7 @@ PATTERNS: list[Pattern] = [
         r"number", r"(?P<n>\d+)(?= (?:in|on|make|making|form|forming) (?:a|one) )",
         r"(?:quantity|count|amount|number)(?: (?:BE|of|:))? (?P<n>\d+)(?= (?:[,.;)]|$))",
         r"(?P<n>\d+)(?: BLOCK)?(?= (?:row|line|column) )"),
+    *APPENDED,
     *rowparts.OF_THEM,
     *rowsizes.SIZED,
     *rowplainer.PLACES,
@@ -53,6 +55,7 @@ def told(pieces: Sequence[Piece]) -> str:
     Raises:
         Unclear: it is not told which blocks it is made of, or what is told of their order leaves it open.
     """
+    pieces, more = without_appended(pieces)
     pieces = rowsizes.sized(rowplainer.listed(rowplainer.beforehand(rowplainer.singly(pieces))))
     check_lots(pieces)
     check_words(pieces)
@@ -77,7 +80,10 @@ def told(pieces: Sequence[Piece]) -> str:
         raise Unclear  # what is put there could go on top
     open_rest = any(piece.kind == "rest" for piece in pieces) and size is None
     order = rowplainer.repeated(pieces, order, size)
-    if order is not None:
+    open_rainbow = pattern == "rainbow" and bool(size) and not said.lists and len(said.placed) == 1
+    if open_rainbow:
+        row.size, (_, row.facts) = size or 0, facts_of(said, [], size, pattern)
+    elif order is not None:
         together = all(lot.plural for run in said.lists for lot in run)
         if size not in (None, len(order)) or open_rest or (each and not together):
             raise Unclear
@@ -89,8 +95,11 @@ def told(pieces: Sequence[Piece]) -> str:
         row.counts = Counter({lot.look: lot.count for lot in numbered(lots, said, size, pattern, open_rest)})
         row.size = size or 0
     check_rest(pieces, row.counts)
-    if any(piece.kind == "hues" and piece.value != len(row.counts) for piece in pieces):
+    hues = size if open_rainbow else len(row.counts)
+    if any(piece.kind == "hues" and piece.value != hues for piece in pieces):
         raise Unclear
+    if more:
+        append(row, more)
     return in_words(row, pieces, Colored())
 
 
@@ -203,12 +212,15 @@ def noun_of(pieces: Sequence[Piece], *, sorts: bool = False) -> str:
 
 
 def lies(piece: Piece) -> bool:
-    """Whether something is said that shows that a column lies on the table."""
+    """Whether something is said that shows that a column lies on the table, as gaps that a tower has not."""
     away = piece.kind in ("direction", "place") and bool(
         {"front", "back"} & set(str(piece.value[0] if piece.kind == "place" else piece.value).split())
     )
     return (
-        away or piece.kind in ("where", "axis") or bool({"table", "lay", "flat", "behind"} & set(piece.words.split()))
+        away
+        or piece.kind in ("where", "axis")
+        or (piece.kind == "spacing" and "touch" not in piece.value)
+        or bool({"table", "lay", "flat", "behind"} & set(piece.words.split()))
     )
 
 

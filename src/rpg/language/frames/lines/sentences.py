@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from rpg.language.frames.lines.arranged import OPPOSITE, Fact, completed, filled
+from rpg.language.frames.lines.arranged import OPPOSITE, Fact, completed, filled, follows
 from rpg.language.frames.lines.plainer import check_about_middle
 from rpg.language.frames.lots import Lot, one
 from rpg.language.frames.pieces import Piece, Unclear
@@ -106,6 +106,9 @@ def _arranged(row: Row, noun: str, names: Colored) -> str:
     lay = f"Lay {names.blocks(row.counts)} in a {noun}"
     if row.order:
         return _listed(row, lay, noun, pattern)
+    if pattern == "mirrored" and all(name in ("middle", "sides") for name, *_ in row.facts):
+        if follows(filled(size, row.facts, row.near, row.first), row.counts, pattern):
+            row.facts = []
     if not row.facts:
         if pattern == "alternating" and (len(row.counts) != 2 or abs(_difference(row.counts)) > 1 or row.direction):
             raise Unclear
@@ -164,6 +167,13 @@ def _uncolored(row: Row, noun: str) -> str:
     """Blocks of which no look is told."""
     if row.pattern in ("increasing", "decreasing") and not row.size and not row.facts:
         return f"Lay the blocks in a {noun}{_PATTERNS[row.pattern]}{f' {row.direction}' if row.direction else ''}."
+    if row.pattern == "rainbow" and row.facts and not row.direction:
+        [(name, nth, look, many)] = row.facts
+        end = {"first": row.first, "last": OPPOSITE[row.first]}.get(name, name)
+        if end not in _ENDS or (nth, many) != (1, 1):
+            raise Unclear
+        noun = "column" if end in ("front", "back") else noun
+        return f"Lay {row.size} blocks in a {noun} in rainbow order, {look} at the {end} end."
     if row.size < 2 or row.facts or row.pattern not in ("", "different", "same", "rainbow", "increasing", "decreasing"):
         raise Unclear
     colors = {"different": " of different colors", "same": " of the same color"}.get(row.pattern, "")

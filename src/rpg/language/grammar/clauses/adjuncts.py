@@ -24,7 +24,7 @@ from rpg.language.grammar.structures.sizes import IN_TOTAL, size_phrase
 from rpg.language.grammar.structures.steps import rising_steps
 from rpg.language.grammar.structures.wholes import wholes
 from rpg.language.grammar.talk.slots import Patterns
-from rpg.language.grammar.things.labels import literal
+from rpg.language.grammar.things.labels import initials, literal
 from rpg.language.grammar.things.nouns import noun_phrase, simple
 from rpg.language.grammar.things.standby import all_extra
 from rpg.language.later import later
@@ -83,7 +83,7 @@ _SPELLING = Patterns(
     "spelling|reading|saying",
     "so|so_that|such_that they|it|you|i|one|we|the_viewer|the_camera|the_letters|the_cubes|the_blocks|everyone|anyone "
     "can? read|reads|spell|spells|say|says the_word?",
-    "into the_word|the_name?",
+    "into|as the_word|the_name?",
     "for? to make|form|get|build the word|name",
     "which|that form|forms|make|makes the word",
 )
@@ -357,7 +357,7 @@ def _that(p: Parser, i: int) -> Results[Meaning]:
     comma = p.opt(i, ",")
     for j in _SPELLING.matches(p, comma):
         text = literal(p, j)
-        if text is not None and len(text) > 1:
+        if text is not None and len(text) > 1 and not initials(p, j):
             word = Structure(kind="word", det="the", letter=text, span=p.span(j, j + 1))
             them = Pronoun(word="them", span=p.span(i, j))
             for found, k in adjuncts(p, j + 1):

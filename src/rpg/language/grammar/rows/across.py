@@ -7,6 +7,7 @@ from rpg.language.grammar.rows.begun import HEAP
 from rpg.language.grammar.rows.contrasted import WRONG_WAY_ROUND
 from rpg.language.grammar.rows.said_short import PLACE, THING
 from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.two_rows import WORDS_IN_ROWS
 from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, MANY, MUST, PATCH, PATCHES
 
 _NEXT = (
@@ -62,6 +63,7 @@ ACROSS: tuple[Turn, ...] = (
      f"remaining) {MANY} .*on the table\\b)",
      "exactly {2} of them must form a {1} . "),
     *WRONG_WAY_ROUND,
+    *WORDS_IN_ROWS,
     # "one mat is blue, the other is white"
     (f"^(.*\\btwo {PATCHES}) \\. {_of_two(PATCH, PATCHES)}", "{1} , one is {2} , the other is {3}"),
     (f"^(.*\\. )?{_of_two(PATCH, PATCHES)}", "{1} there are a {2} patch and a {3} patch"),

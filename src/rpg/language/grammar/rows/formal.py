@@ -52,7 +52,7 @@ from rpg.language.grammar.rows.plain_talk import PLAIN_TALK, PLAIN_TALK_AT_ONCE
 from rpg.language.grammar.rows.put_otherwise import OTHERWISE, OTHERWISE_AT_ONCE
 from rpg.language.grammar.rows.pyramids import PYRAMIDS
 from rpg.language.grammar.rows.quantified import EACH_THERE, QUANTIFIED
-from rpg.language.grammar.rows.rainbow_told import announced_rainbow
+from rpg.language.grammar.rows.rainbow_told import RAINBOW_SPANS, announced_rainbow
 from rpg.language.grammar.rows.range_but import range_but
 from rpg.language.grammar.rows.related import RELATED, RELATED_AT_ONCE
 from rpg.language.grammar.rows.result_told import result_told
@@ -184,6 +184,7 @@ _OF_THE_UNREAD = (
     *PATTERNS_LINED,
     *WISHED_ALOUD,
     *SPAWNED,
+    *RAINBOW_SPANS,
 )
 """The rows of a sentence that cannot be read as it stands."""
 AT_ONCE, UNREAD, OVER_ALL = (

@@ -4,7 +4,7 @@ or touch: as rows that say the order in its common words."""
 from __future__ import annotations
 
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, END, MANY, MUST
+from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, END, MANY, MUST, WAY
 
 ALONG = (
     "(?:(?:going |read |reading |running |seen )?(?:from )?(?:the )?left to (?:the )?right"
@@ -129,7 +129,9 @@ _PLACE = (
 _LINED = f"^((?:.*? )?(?:row|lined?|arrange|order)\\b.*?)(?:(?: ,| :)(?: {_SO})?| {_SO})"
 _KIND = "(?:the |all |all the |all of the )?(letters|digits|numbers)(?: cubes| blocks)?"
 _COME = f"(?:(?:{MUST} )?(?:come|go|stand|be|are|coming|standing|going|placed) )?"
+_SYMBOLIC = "(?:digits|numbers|letters|numerals|(?:digit|number|letter) (?:blocks|cubes))"
 ORDERED_AT_ONCE: tuple[Turn, ...] = (
+    (f"\\b({_SYMBOLIC}) (\\w) down to (?=\\w\\b)", "{1} from {2} down to "),
     # the one kind of symbols before the other
     (f"{_LINED} {_KIND} {_COME}(?:before|ahead of) {_KIND}$", "{1} , the {2} first"),
     (f"{_LINED} {_KIND} {_COME}after {_KIND}$", "{1} , the {3} first"),
@@ -196,6 +198,8 @@ ORDERED_AT_ONCE: tuple[Turn, ...] = (
     (f"(?:,? ?(?:sorted|ordered|arranged) )?\\b{_BACK}\\b", "in reverse alphabetical order"),
     (f"(?<!in )(?:,? ?(?:sorted|ordered|arranged) )?\\b{_ALPHABET}\\b(?! of)", "in alphabetical order"),
     # along which way
+    (f"\\b(row|line|column|tower|stack) (?:that|which) (?:runs|goes|leads|reads|is read|is to be read) ({WAY})\\b",
+     "{1} {2}"),
     ("\\b(?:one|each) (?:after|behind) (?:the other|another|one another|the next) ,? ?(?=(?:from )?(?:the )?front to "
      "(?:the )?back)", "in a column "),
     ("\\b(?:starting|beginning) (?:from|on|at) the left(?: end| side)?(?= :| ,|$| in | with)", "from left to right"),

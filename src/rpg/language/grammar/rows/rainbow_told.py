@@ -1,5 +1,6 @@
 """A rainbow that is announced and then told colour by colour: "Let us make a rainbow! One red, one orange, ... in
-a row": the row that is told has its order."""
+a row": the row that is told has its order; or told by the two colours that it runs between, "one block for each color
+from red to purple"."""
 
 from __future__ import annotations
 
@@ -7,6 +8,8 @@ import re
 
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import STOPS
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import BUILD, COLOR, CUBE, LINE, NO_NUMBER
 from rpg.language.tokens import Token
 
 _ANNOUNCED = re.compile(
@@ -33,3 +36,19 @@ def announced_rainbow(tokens: list[Token]) -> list[Token]:
     if not (whole and line):
         return tokens
     return [*rest[: line + 1], *map(rest[line].saying, ("in", "rainbow", "order")), *rest[line + 1 :]]
+
+
+_EACH = (
+    f"(?:(?:(?:one|a)(?: {CUBE})? )?(?:for |of |in )?(?:each|every)|(?:one|a)(?: {CUBE})? per|all(?: of)?(?: the)?|the)"
+    "(?: rainbow)? colors?(?: of the rainbow)?(?: ,)?"
+)
+_SPAN = f"(?:from|between) ({COLOR}) (?:to|and) ({COLOR})"
+RAINBOW_SPANS: tuple[Turn, ...] = (
+    (f"\\b(rainbow\\b{NO_NUMBER})(?: ,| :)? {_EACH} {_SPAN}", "{1} from {2} to {3}"),
+    (f"\\b({LINE}) (?:of|from|with|out of|made of) {_EACH} {_SPAN}", "{1} in rainbow order from {2} to {3}"),
+    (f"^(?:{BUILD} )?{_EACH} {_SPAN}(?: ,)? (?:in|as|into) an? (?:straight )?({LINE})\\b",
+     "a {3} in rainbow order from {1} to {2}"),
+    (f"^stack(?: up)? {_EACH} {_SPAN}\\b", "a tower in rainbow order from {1} to {2}"),
+    (f"^line up {_EACH} {_SPAN}\\b", "line up blocks in rainbow order from {1} to {2}"),
+)  # fmt: skip
+"""What is looked for in a sentence that cannot be read as it stands, and what is said instead."""

@@ -23,6 +23,29 @@ _TWO = f"(?:{_WRITE} )?(?:the words )?{_WORD} and {_WORD}"
 _UNDER = "(?:underneath|below|beneath|under)(?: it| that)?(?: ,)?"
 _TWO_LINES = f"(?:{_WRITE} )?(?:the word )?{_WORD}{_AND}(?:{_UNDER} )?(?:the word )?{_WORD}"
 _OF = "(?: of (?:digits|numbers|letters|words|blocks|cubes))?"
+_IT = "(?:it|that|this|them|these|those)"
+_JOINT = "(?: ,| ;| \\.| and)+"
+_ROW = "(?: (?:row|line|one|word))?"
+_FARTHER = f"(?:the )?(?:first|top|upper|far|back|rear){_ROW}"
+_NEARER = (
+    f"(?:the )?(?:second|bottom|lower|near|front|next){_ROW}|the (?:row|line|one|word) (?:below|beneath|under|"
+    f"underneath|in front of)(?: {_IT})?"
+)
+_BEYOND = f"(?:the )?(?:second|far|back|rear|top|upper){_ROW}|the (?:row|line|one|word) (?:above|behind)(?: {_IT})?"
+_READS = "(?:reads|spells|says|must read|must spell|must say|should read|should spell|should say)"
+_LETTERS = "(?:letter (?:cubes|blocks)|letters|words)"
+_THE_WORD = f"(?:the word )?(?!{COLOR}\\b){_WORD}"
+_BEFORE_IT = f"(?:in front of|before) {_IT}|(?:in|at)(?: the)? front(?: row)?"
+_BEHIND_IT = f"behind(?: {_IT})?|(?:in|at) the (?:back|rear)(?: row)?"
+WORDS_IN_ROWS: tuple[Turn, ...] = (
+    (f"^(?:(?:{_WRITE}|put|arrange|place|line up|set) )?(?:(?:the )?{_LETTERS} (?:in|into|as) )?(?:two|2) (?:rows|lines)"
+     f"(?: of {_LETTERS})?(?: ,| :| \\.)+ (?={_FARTHER} {_READS} )", ""),
+    (f"^{_FARTHER} {_READS} {_THE_WORD}{_JOINT} (?:{_NEARER})(?: {_READS})? {_THE_WORD}(?= \\.|$)",
+     "write {1} in the far row and {2} in the near row"),
+    (f"^(?:the )?(?:near|front|bottom|lower){_ROW} {_READS} {_THE_WORD}{_JOINT} (?:{_BEYOND})(?: {_READS})? "
+     f"{_THE_WORD}(?= \\.|$)", "write {2} in the far row and {1} in the near row"),
+)  # fmt: skip
+"""Words that are told row by row, over a whole text."""
 _ROWS = f"(?:two rows{_OF}(?: ,| :) )?"
 _SAME = f"(an? {_LINE} of (?:{FEW}) ({COLOR}) (?:blocks|cubes|ones))"
 _MADE = "(?:blocks|cubes)"
@@ -36,7 +59,6 @@ _KINDS = (("odd(?: ones| numbers| digits| blocks)?", "odd numbers"),
           ("even(?: ones| numbers| digits| blocks)?", "even numbers"),
           ("vowels", "vowels"), ("consonants", "consonants"))  # fmt: skip
 _ENDS = (("(?:back|rear|far)", "(?:front|near)", "in front of"), ("(?:front|near)", "(?:back|rear|far)", "behind"))
-_IT = "(?:it|them|these|those)"
 _DONE = "(?:(?:put|place|set|arrange|lay|make|build|form|line up) )?"
 _ALSO = "(?: ,| and| , and)?"
 _HAS = f"(?:of|with|made of|made from|has|is|are|contains|consists of|being|{MUST} (?:be|have|contain|consist of))"
@@ -49,7 +71,11 @@ TWO_ROWS_AT_ONCE: tuple[Turn, ...] = (
      "the word {2} behind the word {1}"),
     (f"^{_TWO}(?: ,)? one (?:word )?behind the other(?: ,)?(?: with)? \\2 (?:is |being )?{_NEAR}$",
      "the word {1} behind the word {2}"),
-    (f"^(?:write|spell)(?: the word)? {_WORD} and(?: ,)? ({_BESIDE}) it(?: ,)?(?: the word)? {_WORD}$",
+    (f"^(?:write|spell) {_THE_WORD}(?: ,)? (?:{_BEFORE_IT}){_AND}{_THE_WORD} (?:{_BEHIND_IT})$",
+     "write {2} in the far row and {1} in the near row"),
+    (f"^(?:write|spell) {_THE_WORD}(?: ,)? (?:{_BEHIND_IT}){_AND}{_THE_WORD} (?:{_BEFORE_IT})$",
+     "write {1} in the far row and {2} in the near row"),
+    (f"^(?:write|spell)(?: the word)? {_WORD}(?: ,)? and(?: ,)? ({_BESIDE}) it(?: ,)?(?: the word)? {_WORD}$",
      "the word {3} {2} the word {1}"),
     (f"^((?:write|spell) {_WORD} {_BESIDE} {_WORD}) , each(?: word)? from left to right$", "{1}"),
     (f"^two words ,? ?(?:namely )?{_WORD} and {_WORD} ,(?: with)? {_WORD} ({_BESIDE}) {_WORD}$",

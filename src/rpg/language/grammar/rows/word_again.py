@@ -1,5 +1,5 @@
 """A word of letters told without saying that it is one, and the same word told again: "they start as TAR", "the blocks
-spell POT; spell it backwards"."""
+spell POT; spell it backwards", "take the letters of the word TREE and write the word"."""
 
 from __future__ import annotations
 
@@ -39,13 +39,17 @@ def word_again(tokens: list[Token]) -> list[Token]:
 
 
 def _again(tokens: list[Token], word: Token) -> list[Token]:
-    """The words with the word itself where it is to be spelt backwards."""
+    """The words with the word itself where it is to be spelt backwards, or of the letters that are told as those of
+    it."""
     words = [token.word for token in tokens]
-    for n in range(tokens.index(word) + 1, len(words) - 1):
+    at = tokens.index(word)
+    of_letters = words[at - 1] == "of" or words[at - 3 : at] == ["of", "the", "word"]
+    for n in range(at + 1, len(words) - 1):
         if words[n] not in _SPELLS:
             continue
         it = next((it for it in _IT if tuple(words[n + 1 : n + 1 + len(it)]) == it), ())
         behind = n + 1 + len(it)
-        if it and any(tuple(words[behind : behind + len(way)]) == way for way in _BACKWARDS):
+        named = "word" in it and of_letters and words[behind : behind + 1] != [word.word]
+        if it and (named or any(tuple(words[behind : behind + len(way)]) == way for way in _BACKWARDS)):
             return [*tokens[: n + 1], word, *tokens[behind:]]
     return tokens

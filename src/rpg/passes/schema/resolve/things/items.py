@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import string
+
 from rpg.language.meaning import Coord, Meaning, Noun, Traits
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.things import give, matching, open_to
@@ -9,20 +11,28 @@ from rpg.passes.schema.resolve.things.world import Scene, Scope
 
 
 def claims(items: tuple[Meaning, ...], names: tuple[str, ...], scene: Scene) -> bool:
-    """ "four cubes in a row: cyan, cyan, brown, brown": as many looks as there are blocks of which none is said."""
+    """ "four cubes in a row: cyan, cyan, brown, brown", "the letters as P A P E R": as many looks as there are blocks of
+    which none is said."""
     plain = all(
-        isinstance(x, Noun) and x.det in ("a", "bare") and not x.plural and x.traits == Traits(colors=x.traits.colors)
-        for x in items
+        isinstance(x, Noun) and x.det in ("a", "bare") and not x.plural and _one_look(x.traits) for x in items
     )
     things = [scene.things[n] for n in names]
-    looks = [x.traits.colors for x in items if isinstance(x, Noun)]
+    looks = [x.traits for x in items if isinstance(x, Noun)]
+    labels = {label for look in looks for label in look.labels}
+    kinds = {"letter": string.ascii_uppercase, "digit": string.digits}
+    kind = next((kind for kind, known in kinds.items() if labels and labels <= {*known}), None)
     return (
         plain
         and len(items) == len(names)
-        and all(len(colors) == 1 for colors in looks)
-        and len(set(looks)) < len(looks)
-        and all(t.elastic is None and t.kind is None and t.color is None and t.label is None for t in things)
+        and len({(look.colors, look.labels) for look in looks}) < len(looks)
+        and all(t.color is None and t.label is None and t.kind in (None, kind) for t in things)
     )
+
+
+def _one_look(traits: Traits) -> bool:
+    """Whether no more is said than one colour or one label."""
+    only = Traits(labels=traits.labels) if traits.labels else Traits(colors=traits.colors)
+    return traits == only and len(traits.labels or traits.colors) == 1
 
 
 def claimed(item: Meaning, names: tuple[str, ...], scene: Scene) -> tuple[str, ...]:

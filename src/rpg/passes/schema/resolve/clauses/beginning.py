@@ -46,7 +46,7 @@ from rpg.passes.schema.resolve.clauses.moved_from import moved_from
 from rpg.passes.schema.resolve.clauses.other_way_round import other_way_round
 from rpg.passes.schema.resolve.clauses.put_back import put_back
 from rpg.passes.schema.resolve.clauses.shown_first import presented, shown, wanted_elsewhere
-from rpg.passes.schema.resolve.clauses.there_later import there_is, there_on_it, they_begin_as
+from rpg.passes.schema.resolve.clauses.there_later import there_is, there_on_it, there_so, they_begin_as
 from rpg.passes.schema.resolve.clauses.told_then_asked import told_then_asked
 from rpg.passes.schema.resolve.clauses.wished_after import wished_after
 from rpg.passes.schema.resolve.clauses.worded_first import worded_first
@@ -212,7 +212,7 @@ def _pictured(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...] | None:
         return None
     pictured = partial(_of_the_end, seen=seen, whole=True)
     ends = [c for c in map(pictured, clauses) if isinstance(c, Clause) and c.mode == "goal"]
-    if not any(seen or c.lemma == "fact" or there_is(replace(c, mode="given")) for c in ends):
+    if not ends:
         return None
     return tuple(replace(chain, clauses=tuple(map(pictured, chain.clauses))) for chain in chains)
 
@@ -230,7 +230,7 @@ _ASKED = re.compile(
 
 def _describes(clause: Clause, text: str, seen: bool) -> bool:
     """Whether a clause says how it is, and not what is wanted."""
-    if clause.lemma == "fact" or there_is(clause):
+    if clause.lemma == "fact" or there_is(clause) or there_so(clause):
         return True
     return seen and clause.mode in ("goal", "given") and _ASKED.search(text[slice(*clause.span)]) is None
 
@@ -242,6 +242,9 @@ def _of_the_end(clause: Meaning, seen: bool, whole: bool = False) -> Meaning:
         return clause
     places = clause.adjuncts if seen or there_is(clause) else ()
     told = any(not (isinstance(a, Loc) and isinstance(a.landmark, TableTop)) for a in places)
+    lined_up = any(isinstance(a, Into | At) for a in clause.adjuncts)
+    if (seen or whole) and lined_up and not isinstance(clause.theme, Structure):
+        return replace(clause, verb="be", mode="goal")
     told = told or ((seen or whole) and isinstance(clause.theme, Structure))
     return replace(clause, mode="goal") if told else clause
 

@@ -1,10 +1,13 @@
-""" "Keep red on blue": it is so and stays so; where nothing else is to be done, it has to get there."""
+""" "Keep red on blue", "leave red on blue": it is so and stays so; where nothing else is to be done, it has to get
+there."""
 
 from __future__ import annotations
 
 from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.ir.node import members
 from rpg.ir.walk import names
-from rpg.language.meaning import Clause
+from rpg.language.meaning import Clause, Coord, In, Loc, Meaning, Noun, Pronoun, TableTop
 from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.things.world import Ref, Scene
 
@@ -17,6 +20,42 @@ def put_so(clause: Clause, theme: Ref, scene: Scene) -> bool:
     begun = {name for fact in scene.start_goals for name in names(fact)}
     denied = any(getattr(x, "negated", False) or getattr(x, "rel", "") == "off" for x in clause.adjuncts)
     return {*theme.names} <= moved - begun and not denied
+
+
+def left_so(clause: Clause, theme: Ref, scene: Scene) -> bool:
+    """ "Take red off the mat and leave blue on it": a block that is known, and that was neither moved nor told of at
+    the start before, is there already; "leave one on the mat" and "take red off and leave it there" tell of the end."""
+    if clause.lemma != "leave" or clause.mode != "command" or clause.negated or not _known(clause.theme):
+        return False
+    ahead = [m for m in scene.mentions if m.role == "theme" and m.clause < scene.clause and not m.start]
+    moved = {name for m in ahead for name in m.ref.names if not _others(clause.theme)}
+    begun = {name for fact in scene.start_goals for name in _told_of(fact)}
+    somewhere = [x for x in clause.adjuncts if isinstance(x, Loc | In)]
+    there = all(not x.negated and (isinstance(x, In) or x.rel != "off") for x in somewhere)
+    table = any(isinstance(x, Loc) and isinstance(x.landmark, TableTop) for x in somewhere)
+    return there and not table and {*theme.names}.isdisjoint(moved | begun)
+
+
+def _told_of(fact: g.Goal) -> tuple[str, ...]:
+    """The blocks of which a fact says where they are, which what bears them is none of."""
+    return members(fact.a) if isinstance(fact, r.On | r.OnPatch) else tuple(names(fact))
+
+
+def _others(theme: Meaning | None) -> bool:
+    """ "the other one", "the rest": those of a lot that are not moved, though the lot was spoken of."""
+    if isinstance(theme, Pronoun):
+        return theme.word.startswith(("the other", "the rest"))
+    return isinstance(theme, Noun) and theme.det == "other"
+
+
+def _known(theme: Meaning | None) -> bool:
+    """ "the red block", "all the others", "A and B"."""
+    if isinstance(theme, Coord):
+        return all(map(_known, theme.items))
+    if _others(theme):
+        return True
+    single = isinstance(theme, Noun) and theme.det == "bare" and not theme.amount and not theme.plural
+    return isinstance(theme, Noun) and (single or theme.det in ("the", "all", "both"))
 
 
 def brought_about(goal: g.Goal, scene: Scene) -> g.Goal:

@@ -6,6 +6,8 @@ from __future__ import annotations
 from typing import TypeGuard
 
 from rpg.language.meaning import (
+    Absolute,
+    At,
     Chain,
     Clause,
     In,
@@ -13,9 +15,11 @@ from rpg.language.meaning import (
     Loc,
     Meaning,
     Noun,
+    OrderBy,
     Pronoun,
     Structure,
     TableTop,
+    Toward,
     Traits,
     parts_of,
     replace,
@@ -94,6 +98,14 @@ def there_is(clause: Meaning) -> TypeGuard[Clause]:
     """ "there is ...", with nothing but places."""
     said = isinstance(clause, Clause) and clause.verb == "exist" and clause.mode == "given" and not clause.lemma
     return said and isinstance(clause, Clause) and all(isinstance(a, Loc | In) for a in clause.adjuncts)
+
+
+def there_so(clause: Meaning) -> bool:
+    """ "there is a row of A, B and C from left to right", "there are three blocks in a row": how a structure stands."""
+    said = isinstance(clause, Clause) and (clause.verb, clause.mode, clause.lemma) == ("exist", "given", "")
+    if not said or not isinstance(clause, Clause) or clause.negated:
+        return False
+    return all(isinstance(a, Loc | In | Into | At | Toward | OrderBy | Absolute) for a in clause.adjuncts)
 
 
 def they_begin_as(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:

@@ -29,7 +29,7 @@ from rpg.language.meaning import (
     replace,
 )
 from rpg.passes.schema.resolve.clauses.begun_facts import as_begun
-from rpg.passes.schema.resolve.clauses.kept import put_so
+from rpg.passes.schema.resolve.clauses.kept import left_so, put_so
 from rpg.passes.schema.resolve.clauses.left_alone import not_elsewhere
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.clauses.started import taken_out
@@ -58,14 +58,15 @@ def keep(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     spec.manners = [m for m in spec.manners if m.kind not in ("stay", "always")]
     if spec.places and not stays:
         goals: Goals = []
+        stood = left_so(clause, theme, scene)
         for item in spec.places:
             goals += place(theme, item, scene, scope, clause.span)
         spec.places = []
-        if (clause.lemma == "keep" and not put_so(clause, theme, scene)) or ever:
+        if (clause.lemma == "keep" and not put_so(clause, theme, scene)) or ever or stood:
             there = len(scene.start_goals)
             found = held_throughout(goals, scene, clause.span)
-            scene.kept += [] if ever else [(always, scene.start_goals[there:]) for always in found]
-            goals = list(found)
+            goals = goals if stood and not ever else list(found)
+            scene.kept += [] if ever else [(kept, scene.start_goals[there:]) for kept in goals]
         if spec.absolutes and not ever:  # "keep red and blue apart, with yellow between them"
             scene.mention(theme, "theme")
             goals += absolutes(theme, spec, scene, scope)

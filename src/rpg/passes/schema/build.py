@@ -50,6 +50,7 @@ from rpg.passes.schema.resolve.goals.meant import with_what_is_meant
 from rpg.passes.schema.resolve.goals.only_denied import still_ahead
 from rpg.passes.schema.resolve.goals.tidy import once, tidy
 from rpg.passes.schema.resolve.goals.untouched import left_as_they_are, the_other_way
+from rpg.passes.schema.resolve.orders.between_ends import told_as_ranges
 from rpg.passes.schema.resolve.orders.parts_behind import parts_behind
 from rpg.passes.schema.resolve.orders.told_places import places_told
 from rpg.passes.schema.resolve.places.sided_patches import settle_sides
@@ -224,6 +225,7 @@ def _resolved(
     links, chains = sized(links, all_plainly(chains, scene), scene)
     scene.speaks_of_rest = speaks_of_rest([part for chain in chains for part in parts_of(chain)])
     note_named(chains, scene)
+    scene.ranges = told_as_ranges(chains, text)
     check_words(chains, scene)
     pointed = any(isinstance(part, Pronoun) and part.word in THEM for chain in chains for part in parts_of(chain))
     chains = chains if pointed else kinds_last(chains)

@@ -156,15 +156,17 @@ def check_numbers(pieces: Sequence[Piece]) -> None:
     """A digit is a label, not a number of blocks, and "a" is no letter.
 
     Raises:
-        Unclear: it may be ("a row of 3: A, B, C").
+        Unclear: it may be ("a row of 3: A, B, C", "A, B and C in a row with 2 on the left").
     """
     labels = sum("label" in piece.named for piece in pieces)
+    lone = sum(piece.named.get("label", "").isdigit() for piece in pieces) == 1
     colored = any("color" in piece.named for piece in pieces)
     ahead = Piece("", "")
     for piece, after in zip(pieces, [*pieces[1:], Piece("break", "")], strict=True):
         if piece.words.isdigit() and "label" in piece.named:
             of = ahead.words.split()[-1:] == ["of"] or ahead.kind in ("figure", "mention")
-            if after.words == ":" or (of and (int(piece.words) == labels - 1 or colored)):
+            placed = lone and "place" in (ahead.kind, after.kind)
+            if after.words == ":" or placed or (of and (int(piece.words) == labels - 1 or colored)):
                 raise Unclear
         if piece.words in ("a", "i") and piece.kind == "glue" and (after.kind == "break" or "label" in ahead.named):
             raise Unclear

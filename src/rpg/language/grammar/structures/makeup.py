@@ -33,7 +33,7 @@ from rpg.language.grammar.structures.sizes import (
     size_phrase,
 )
 from rpg.language.grammar.structures.steps import steps_told
-from rpg.language.grammar.structures.told_by_one import left_open, placed_inside, told_by_one
+from rpg.language.grammar.structures.told_by_one import left_open, placed_inside, shows_it, told_by_one
 from rpg.language.grammar.things import amounts
 from rpg.language.grammar.things.adjectives import colors
 from rpg.language.grammar.things.labels import run
@@ -345,6 +345,8 @@ def _members(p: Parser, i: int, j: int, base: Structure, by: bool) -> Results[St
             yield replace(base, members=members, span=p.span(i, end), each_size=each, details=own), last
     if not base.sizes:
         for found, end in amounts.amount(p, k):
+            if shows_it(p, j, end):
+                continue
             size = Size(what="size", amount=found, span=p.span(k, end))
             cost = base.cost + (0 if base.plural else 1)
             last = p.opt(end, "each", "apiece") if base.plural else end

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.structures.outlines import A_SIDE
+from rpg.language.grammar.structures.told_by_one import shows_it
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things import amounts
 from rpg.language.meaning import Manner, Meaning, Size, Structure
@@ -216,7 +217,7 @@ def _led(p: Parser, i: int, j: int) -> Results[Size]:
         for part, end in p.standing(e, _PARTS):
             yield Size(what=_PARTS[part], amount=found, span=p.span(i, end)), p.opt(end, "only")
         for phrases, what, cost in _COUNTED:
-            if phrases is _LOWEST and p.follows(k, ("the",)):
+            if phrases is _LOWEST and (p.follows(k, ("the",)) or shows_it(p, i, e)):
                 continue  # "the 1 at the bottom" is a block
             if end := p.any_of(e, phrases):
                 of_looks = p.words[end - 1] == "each" and p.all.isdisjoint(_SEVERAL)  # "red and blue, two each"

@@ -34,6 +34,27 @@ _INSIDE = Patterns(
 )
 
 
+def shows_it(p: Parser, i: int, end: int) -> bool:
+    """ "(the digits 1 to 4 in a row) with 4 on the left": where digits are told ahead of the line, a number that has a
+    place is the block that shows it, and not how many blocks the line has. `i`: of "with", behind the line's noun."""
+    kind, _ = lexicon.STRUCTURE.get(p.words[i - 1], ("", False))
+    if kind not in _LINES or p.words[i] != "with" or not p.stands(end, _PLACED):
+        return False
+    if any(word in lexicon.DIGIT for word in p.words[: i - 1]):
+        return True
+    numbers = [n for n in range(1, i - 1) if p.number(n) is not None]
+    return any(
+        p.words[n - 1] in _ONE or (p.stands(n - 1, _LISTED) and n - 2 in numbers)
+        for n in numbers
+        if p.words[n] != "one"
+    )
+
+
+_LINES = frozenset({"row", "line", "column", "stack"})
+_PLACED = frozenset({"on", "at", "in", "to", "as", "first", "last", "leftmost", "rightmost", "topmost", "nearest",
+                     "closest", "farthest", "furthest", "being"})  # fmt: skip
+_LISTED = frozenset({"to", "through", "until", ",", "and"})
+_ONE = frozenset({"a", "an"})
 _ONE_MORE = frozenset({"a", "an", "another", "one", "two", "three", "the"})
 
 

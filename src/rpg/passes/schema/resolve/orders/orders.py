@@ -39,6 +39,7 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
     """The order of `names` in a line or stack of `kind`."""
     sides = SIDES[kind]
     if any(o.by == "any" for o in spec.orders):
+        scene.in_any_order.add(frozenset(names))
         spec.orders = [o for o in spec.orders if not (o.items and o.by in ("named", "given"))]
     check_which_sorted(spec.orders)
     told_by_ends = [*sorted_from(spec, names, kind, scene), *last_first(spec, names, scene)]

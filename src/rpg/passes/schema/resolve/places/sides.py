@@ -58,7 +58,7 @@ def _denied(goal: g.Goal, item: Loose, scene: Scene) -> g.Goal:
     if isinstance(at_, At) and at_an_end(at_):
         each = itertools.product(ref.names, SIDES[kind][:2])
         items = [(Ref(names=(name,)), replace(at_, side=side), span) for name, side in each]
-    nots = [g.Not(goal=_refine(free, free, [one], scene), span=span) for one in items]
+    nots = [g.Not(goal=_refine(free, free, [one], scene, denied=True), span=span) for one in items]
     if sum({*n.blocks} == {*node.blocks} for n in nodes) > 1:  # of each way to build the line
         return _and(goal, conj(nots, span))
     without = conj([kept, *nots], span)
@@ -272,7 +272,8 @@ def _lines(goal: g.Goal) -> list[s.Stack | s.Row]:
     return [a for a in atoms(goal) if isinstance(a, s.Stack | s.Row)][::-1]
 
 
-def _refine(goal: g.Goal, node: s.Stack | s.Row, loose: list[Loose], scene: Scene) -> g.Goal:
+def _refine(goal: g.Goal, node: s.Stack | s.Row, loose: list[Loose], scene: Scene, *, denied: bool = False) -> g.Goal:
+    """A line with blocks at their places. `denied`: where it is not to be so, which says nothing of the others."""
     kind = "stack" if isinstance(node, s.Stack) else "column" if node.axis == "x" else "row"
     if node.order.by != "any" and scene.lenient:
         return goal
@@ -298,8 +299,7 @@ def _refine(goal: g.Goal, node: s.Stack | s.Row, loose: list[Loose], scene: Scen
     bunches = [ref.names for ref, _, _ in ats if len(ref.names) > 1]
     told = ranks_from({index: (name,) for index, name in places.items()}, node.blocks, scene, bunches)
     paired = all(isinstance(at_, At) and at_.side in SYMMETRIC for _, at_, _ in loose)
-    paired |= isinstance(node, s.Row) and ats[0][0].names != node.blocks[:1]  # "A, B and C, beginning with C"
-    ranks = tuple(told) if paired else by_symbols(tuple(told), node.blocks, scene)
+    ranks = tuple(told) if paired or denied else by_symbols(tuple(told), node.blocks, scene)
     first = "bottom" if kind == "stack" else "left"
     order = Order(by="given", ranks=ranks, first=first)  # type: ignore[arg-type]
     if isinstance(node, s.Row):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rpg.ir import goal as g
 from rpg.ir.walk import names as names_in
-from rpg.language.meaning import Chain, Noun, Traits, parts_of
+from rpg.language.meaning import Absolute, Chain, Noun, Traits, parts_of
 from rpg.passes.schema.resolve.things.world import Scene, refuse
 
 _LAYERED = frozenset({"pyramid", "wall", "staircase", "cube"})
@@ -13,7 +13,8 @@ _MOST = 9
 
 
 def check_bare_numbers(goal: g.Goal, scene: Scene, chains: tuple[Chain, ...]) -> None:
-    """Refuse "there are five red cubes; 2 must be on the mat", where the five would only lie around."""
+    """Refuse "there are five red cubes; 2 must be on the mat", where the five would only lie around, and "a row with 2
+    on the left", where nothing else shows a symbol."""
     told = set(names_in(goal)) | {n for x in scene.start_goals for n in names_in(x)}
     told |= scene.spare | {n for heap in scene.heaps for n in heap}
     there = [x for x in scene.things.values() if x.declared]
@@ -23,9 +24,12 @@ def check_bare_numbers(goal: g.Goal, scene: Scene, chains: tuple[Chain, ...]) ->
         built.kind in _LAYERED and not any(n in scene.things and scene.things[n].label for n in built.members)
         for built in scene.built
     )
-    for part in (part for chain in chains for part in parts_of(chain)):
-        many = _number(part) if isinstance(part, Noun) and (len(idle) > 1 or layered) else 0
-        if isinstance(part, Noun) and 0 < many <= (_MOST if layered else len(idle)) and str(many) not in shown:
+    parts = [part for chain in chains for part in parts_of(chain)]
+    lone = [x.theme for x in parts if isinstance(x, Absolute)] if _one_symbol(scene) else []
+    for part in (part for part in parts if isinstance(part, Noun)):
+        many = _number(part)
+        idly = (len(idle) > 1 or layered) and 0 < many <= (_MOST if layered else len(idle)) and str(many) not in shown
+        if idly or (many > 0 and part in lone):
             number = part.traits.labels[0]
             raise refuse(
                 "ambiguous",
@@ -33,6 +37,12 @@ def check_bare_numbers(goal: g.Goal, scene: Scene, chains: tuple[Chain, ...]) ->
                 part.span,
                 f"say 'the number {number}', or '{number} of them'",
             )
+
+
+def _one_symbol(scene: Scene) -> bool:
+    """Whether there is one block with a symbol beside others that have none: "a row with 2 on the left"."""
+    symbols = {x.label for x in scene.things.values() if not x.patch}
+    return None in symbols and len(symbols) == 2
 
 
 def _number(noun: Noun) -> int:

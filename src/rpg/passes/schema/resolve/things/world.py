@@ -165,6 +165,8 @@ class Scene:
     `taken`: the one on top of a tower of look-alikes that is there at first, with those under it.
     `regions`: the part of the table that a clause tells.
     `patch_sides`: patches by the side on which they lie, and where that was said last.
+    `ranges`: symbols that are told by the first and the last of them. `in_any_order`: blocks of lines of which it is
+    said that any order will do.
     """
 
     things: dict[str, Thing] = field(default_factory=dict)
@@ -241,6 +243,8 @@ class Scene:
     ignored: dict[str, Span] = field(default_factory=dict)
     patch_sides: dict[str, str] = field(default_factory=dict)
     patch_sides_at: Span = (0, 0)
+    ranges: frozenset[tuple[str, ...]] = frozenset()
+    in_any_order: set[frozenset[str]] = field(default_factory=set)
 
     def assume(self, text: str) -> None:
         """Record a default that was taken."""

@@ -13,11 +13,11 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from rpg.language import lexicon
+from rpg.language.headings import commanded
 from rpg.language.phrases import length_at
 from rpg.language.slips import slips_of
 from rpg.language.spelling import vocabulary
 from rpg.language.telling import SHAPES, may_tell, tells
-from rpg.language.titles import commanded
 from rpg.language.tokens import Token
 
 _STOPS = frozenset({".", "!", "?", ";"})

@@ -15,8 +15,8 @@ from rpg.language.slips import slips_of
 from rpg.language.smalltalk import is_strange, takes_back
 from rpg.language.spelling import vocabulary
 from rpg.language.telling import may_tell, may_tell_how, tells
-from rpg.language.told_again import ordered_again, told_again
 from rpg.language.tokens import Token
+from rpg.language.told_again import ordered_again, told_again
 from rpg.language.word_lists import listed
 
 _BINDING = listed(

@@ -21,8 +21,8 @@ KINDS = ("stack", "row", "line", "column", "pile")
 
 
 def with_lots(shape: Structure, spec: Spec, scene: Scene) -> Structure:
-    """ "(There are four red and two blue blocks.) Make groups of two red and one blue block", "two towers of one red and
-    one blue block": what each of them has, and not all there is, as in "groups of three red and three blue blocks"."""
+    """ "(There are four red and two blue blocks.) Make groups of two red and one blue block", "two towers of a red and
+    a blue block": what each of them has, and not all there is, as in "groups of three red and three blue blocks"."""
     members = shape.members
     lot = members.items if isinstance(members, Coord) and members.op == "and" and shape.kind in KINDS else ()
     counted = [x for x in lot if isinstance(x, Noun) and x.det in ("a", "bare") and x.amount and x.head != "patch"]

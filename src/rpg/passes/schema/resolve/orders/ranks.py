@@ -144,11 +144,13 @@ _LINES = ("row", "line", "column", "word")
 
 
 def _all_alike(built: Built, scene: Scene, *told: str) -> bool:
-    """Whether the blocks of a structure look alike, and nothing is said to be on them yet but on those `told`."""
+    """Whether the blocks of a structure are known to look alike, and nothing is said to be on them yet but on those `told`."""
     things = [scene.things[n] for n in built.members]
     looks = {(t.color, t.label, t.kind, t.size) for t in things}
     return (
-        len(looks) == 1 and bool(things[0].color) and not any(n in scene.on_top for n in built.members if n not in told)
+        len(looks) == 1
+        and bool(things[0].color or things[0].label)
+        and not any(n in scene.on_top for n in built.members if n not in told)
     )
 
 

@@ -276,13 +276,12 @@ _LITTLE: dict[str, tuple[str, float | str | None]] = {
     "unmoved": ("stay", None),
     "in its place": ("stay", None), "in their places": ("stay", None), "at its place": ("stay", None),
     "undisturbed": ("stay", "wholly"),
-    "in its current position": ("stay", None), "in its original position": ("stay", None),
     "to its original place": ("stay", None), "to its original position": ("stay", None),
     "back to its original place": ("stay", None), "back to its original position": ("stay", None),
     "to their original places": ("stay", None), "to their original positions": ("stay", None),
     "to its starting position": ("stay", None), "back to its starting position": ("stay", None),
-    **{f"{at} {its} {same} {place}": ("stay", None)
-       for at in ("in", "at", "on") for its in ("its", "their", "the")
+    **{f"{at} {its}{same} {place}": ("stay", None)
+       for at in ("in", "at", "on") for its in ("its ", "their ", "the ", "")
        for same in ("current", "original", "initial", "starting", "present", "old", "same", "own", "exact same")
        for place in ("position", "place", "spot", "positions", "places", "location", "locations")},
     **{f"{exactly}where {it} {was}": ("stay", None)
@@ -295,10 +294,7 @@ _LITTLE: dict[str, tuple[str, float | str | None]] = {
                "at the start", "at the beginning", "initially", "originally", "at first", "before", "to begin with",
                "in the beginning", "to start with")))},
     "as is": ("stay", "wholly"),
-    "in the same place": ("stay", None), "where it currently is": ("stay", None),
-    "in their current positions": ("stay", None), "in the same position": ("stay", None),
-    "in its initial position": ("stay", None), "in its starting position": ("stay", None),
-    "at its current position": ("stay", None),
+    "where it currently is": ("stay", None),
     "left to right": ("idle2", None), "in a single file": ("idle", None), "apart": ("idle2", None),
     "in a loop": ("idle2", None), "by hand": ("idle2", None),
 }  # fmt: skip

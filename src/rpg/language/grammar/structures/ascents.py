@@ -112,7 +112,7 @@ def ascent(p: Parser, i: int) -> Results[Meaning]:
             order = OrderBy(by=by, descending=descending, span=p.span(i, j))
             ways = [] if by == "label" or p.words[j - 1] == "order" else [*whither(p, j)]
             sized = by == "ascending" and not _SIZES.isdisjoint(p.words[i:j])
-            if sized and (ways or p.all.isdisjoint(TOWERS)):  # which way a tower grows is not clear by itself
+            if sized and (ways or p.words[j] == "from" or p.all.isdisjoint(TOWERS)):  # which way a tower grows is open
                 order = replace(order, attribute="size")
             yield from ((replace(order, first=first, span=p.span(i, end)), end) for first, end in ways)
             yield from () if ways else ((order, j),)

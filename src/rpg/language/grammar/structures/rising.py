@@ -47,6 +47,8 @@ _RISING = {
 _RISES = {**_RISE, **{f"{word}s": down for word, down in _RISE.items()}}
 _LEADS = ("that", "which", "and", "so that it", "so it", "so that they", "so they", "whose numbers", "whose values",
           "where the numbers", "so that the numbers", "with numbers that")  # fmt: skip
+_GROWING = frozenset({"growing", "shrinking"})
+"""What blocks that show no numbers do in size."""
 _DIGITS = frozenset({"numbers", "digits", "number", "digit", *lexicon.NUMBER})
 _MARKED = frozenset({*_RISING, *_RISES})
 _STEPS = frozenset({"staircase", "stairs", "stair", "stairway", "steps", "heights"})
@@ -68,6 +70,8 @@ def rising(p: Parser, i: int) -> Iterator[tuple[OrderBy, int]]:
     if finite and _DIGITS.isdisjoint(p.words) and all(token.kind != "number" for token in p.tokens):
         return  # "a row which rises to the right"
     order = OrderBy(by="ascending", descending=descending, span=p.span(i, j + 1))
+    if p.words[j] in _GROWING:
+        order = replace(order, attribute="size")
     closed = finite > 0 and (j + 1 >= p.end or p.stands(j + 1, (",", ";")))
     if closed or any(isinstance(way, Toward) and way.first for way, _ in toward(p, j + 1)):
         yield order, j + 1

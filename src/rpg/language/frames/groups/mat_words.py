@@ -38,7 +38,7 @@ PATTERNS = [
     *patterns(
         "basis", "color",
         f"{_DOES}{_ON} (?:{_ITS} )*{_SAME}*(?:(?:same )?color(?:ed)? )(?:{_P})(?: by color)?",
-        f"{_DOES}{_ON} (?:{_ITS} )*{_SAME}+(?:color(?:ed)? {_P}|PATCH)(?: by color)?",
+        f"{_DOES}{_ON} (?:{_ITS} )*{_SAME}+(?:color(?:ed)? {_P}|(?!spots?\\b)PATCH)(?: by color)?",
         f"{_DOES}{_ON} (?:its|their|the own|own|its own|their own) {_P}(?: by color)?",
         f"{_DOES}{_ON} (?:{_ITS} )*(?:colored )?{_P} {_MATCHES} {_COLORS}",
         f"{_DOES}{_ON} (?:{_ITS} )*color 's {_P}",

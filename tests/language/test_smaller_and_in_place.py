@@ -27,7 +27,10 @@ def test_who_stays_in_place_is_on_no_patch(place: str) -> None:
     told = means(f"Put red on green. The blue block stays {place}.")
     assert "The blue block must stay where it is" in told
     assert "patch" not in told
-    assert code_of(f"Let the blue block stay {place}.") == "start-solves-goal"
+
+
+def test_staying_in_place_alone_is_no_task() -> None:
+    assert code_of("Let the blue block stay in same place.") == "start-solves-goal"
 
 
 def test_one_of_several_with_the_same_letter_is_told_by_its_place() -> None:

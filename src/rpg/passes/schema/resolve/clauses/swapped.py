@@ -13,6 +13,7 @@ from rpg.language.meaning import Clause, Coord, Loc, Meaning, Noun, Pronoun, Str
 from rpg.passes.schema.resolve.clauses.replacing import replace_there
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.goals.conflicts import OPPOSITE
+from rpg.passes.schema.resolve.orders.reordered import with_two_swapped
 from rpg.passes.schema.resolve.places.relations import place
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.things import Premise
@@ -50,9 +51,11 @@ def swap(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goal]
         raise refuse("fixed-patch", "patches are marks on the table and cannot be moved", clause.span, "swap blocks")
     swap = r.Swapped(a=parts[0].names, b=parts[1].names, span=clause.span)
     only = spec.manner("only") is not None or theme.op == "only"
+    pair = (*swap.a, *swap.b)
+    line = with_two_swapped(*pair, scene, clause.span) if len(pair) == 2 else None
     return [
         swap,
-        *_on_each_others(parts[0], parts[1], scene, clause.span),
+        *([line] if line is not None else _on_each_others(parts[0], parts[1], scene, clause.span)),
         *(_others_stay(swap, scene) if only else ()),
     ]
 

@@ -68,6 +68,16 @@ def _home(theme: Ref, scene: Scene) -> Built | None:
     return home[0] if alone and _begun(home[0], scene) is not None else None
 
 
+def with_two_swapped(one: str, other: str, scene: Scene, span: Span) -> g.Goal | None:
+    """ "(A row of A, B, C and D.) Swap A and D": the line with these two in each other's place and the rest in theirs;
+    None where they are not of one line whose order is told, or one other at most is in it."""
+    home = _home(Ref(names=(one,)), scene)
+    if home is None or other not in home.members or not home.ordered or len(home.members) < 4:
+        return None
+    places = {one: other, other: one}
+    return _again(home, tuple(places.get(n, n) for n in home.members), scene, span)
+
+
 def lines_of_the_start(scene: Scene) -> list[Built]:
     """The rows and towers that are there at the start, each as what it is then."""
     begun = [(b, _begun(b, scene)) for b in scene.built if b.kind in FIRST]

@@ -200,6 +200,10 @@ def _of_what(item: Loose, goal: g.Goal, scene: Scene) -> None:
         what = "equation" if isinstance(own, s.Equation) else "groups"
         raise refuse("ambiguous", f"this could be a side of the table or of the {what}", at_.span,
                      "say 'half of the table', or of what")  # fmt: skip
+    begun = [a for fact in scene.start_goals for a in atoms(fact) if isinstance(a, s.Spells)]
+    if any(set(ref.names) < {*word.blocks} for word in begun):
+        raise refuse("ambiguous", "this could be a side of the table or an end of the word", at_.span,
+                     "say 'of the table', or spell the other word")  # fmt: skip
     for b in scene.built:
         if b.kind not in (*SIDES, "pile", "towers", "word", "equation") and set(ref.names) < set(b.members):
             raise refuse("ambiguous", f"this could be a side of the table or of the {b.kind}", at_.span, "say of what")

@@ -31,7 +31,7 @@ _PEOPLE = f"""
     minister mayor king queen prince princess knight wizard witch fairy santa priest nun monk pastor bishop rabbi imam
     headmaster headmistress principal tutor lecturer docent librarian janitor caretaker babysitter nanny cousin
     hero heroine genius angel devil boss chief crew staff committee jury sweetheart sweetie darling honey
-    dear buddy chap fella lad lass dude bro sis grader freshman sophomore schoolboy schoolgirl preschooler
+    dear buddy chap fella lad lass dude bro sis grader freshman sophomore schoolboy schoolgirl preschooler spy reviewer
 """
 """Who somebody is."""
 _ANIMALS = """

@@ -329,6 +329,7 @@ _WHOLE = (
     "capisce|comprende|savvy|kapish|mkay|gosh|knock_knock|drumroll|abracadabra|beep_boop",
     "gosh|darn|dang|damn|drat|gosh_darn it",
     "the rest is history",
+    "dear sir|madam|sirs|colleagues|all or|and? madam|sir|colleagues?",
     "last time it|this|that took ages|forever|hours|so_long",
     "poor|bless|lucky|clever thing|her|him|them|you|me|boy|girl|dear|us",
 )

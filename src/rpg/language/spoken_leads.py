@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rpg.language import lexicon
-from rpg.language.harmless import OCCASIONS
+from rpg.language.harmless import OCCASIONS, PEOPLE
 from rpg.language.slips import slips_of
 from rpg.language.smalltalk import is_strange, takes_back
 from rpg.language.spelling import vocabulary
@@ -93,7 +93,7 @@ def heading(tokens: Sequence[Token]) -> int:
     distractors (from the pilot study):"."""
     end = next((n for n in range(min(2 * LONGEST, len(tokens) - 1)) if sets_off(tokens, n)), 0)
     mark = end
-    if end > 1 and tokens[end - 1].kind == "number" and tokens[end - 2].word in TESTS:
+    if end > 1 and tokens[end - 1].kind == "number" and tokens[end - 2].word in TESTS | PEOPLE:
         end -= 1
     told = _without_aside(tokens[:end])
     words = [token.word for token in told]

@@ -69,7 +69,8 @@ def ability(tokens: Sequence[Token]) -> int:
         can = next((len(x) for x in _CAN if tuple(words[at + 1 + who : at + 1 + who + len(x)]) == x), 0)
         if words[at] in ("if", "whether", "that", "how") and who and can:
             end = at + 1 + who + can
-            tried = not _TRIED.isdisjoint(words[:at]) and all(map(tells_nothing, words[:at]))
+            known = all(word == "it" or tells_nothing(word) for word in words[:at])
+            tried = not _TRIED.isdisjoint(words[:at]) and known
             return end if tried and of_words(tokens[:at]) and words[end] in lexicon.COMMANDS else 0
     return 0
 
@@ -115,7 +116,7 @@ _WISHED_FOR = listed(
 _AGENTS = (
     *((det, who) for det in ("the", "a", "your", "our", "this")
       for who in ("robot", "arm", "agent", "policy", "model", "gripper", "system", "machine")),
-    ("you",), ("we",),
+    ("you",), ("we",), ("it",), ("he",), ("she",),
 )  # fmt: skip
 _CAN = (("can",), ("could",), ("is", "able", "to"), ("are", "able", "to"), ("manages", "to"), ("manage", "to"),
         ("knows", "how", "to"), ("know", "how", "to"))  # fmt: skip
@@ -233,8 +234,9 @@ def _with_it(words: Sequence[str], begin: int) -> int:
 _PLEASING = listed("surprise impress delight wow dazzle amaze treat spoil cheer entertain honor honour astonish reward")
 _TRIES = tuple(
     (*lead, *said)
-    for lead in ((), ("maybe",), ("let", "us"), ("please",), ("just",), ("perhaps",), ("so", "let", "us"))
-    for said in (("try",), ("go", "with"), ("go", "for"), ("do",), ("attempt",))
+    for lead in ((), ("maybe",), ("let", "us"), ("please",), ("just",), ("perhaps",), ("so", "let", "us"),
+                 *((who, "could", *also) for who in ("you", "we", "they") for also in ((), ("also",))))
+    for said in (("try",), ("go", "with"), ("go", "for"), ("do",), ("attempt",), ("test",), ("try", "out"))
 )
 
 _SPEAKERS = listed("i we he she my our his her the")
@@ -312,7 +314,8 @@ def for_what(tokens: Sequence[Token], at: int) -> bool:
     """Whether all that stands from here on says what it is for: "(stack them) for quality control", "as a warm-up
     exercise"; but not what has to be found, kept free or given for what is named behind "for"."""
     words = [token.word for token in tokens]
-    if words[at] == "as" and words[at + 1] in DET and (words[-1] in _TRIALS or _as_token(words[at + 2 :])):
+    named = words[-1] in _TRIALS | harmless.PEOPLE or _as_token(words[at + 2 :])
+    if words[at] == "as" and words[at + 1] in DET and named:
         return of_words(tokens[at:]) and all(word in _TRIED_SO or tells_nothing(word) for word in words[at + 1 :])
     if words[at] != "for" or len(words) < at + 2 or words[at + 1] in _SINGLY or not _FOR_IT.isdisjoint(words[:at]):
         return False

@@ -123,7 +123,9 @@ def _lined_up(tokens: list[Token], at: int) -> Iterator[tuple[str, int]]:
     end = next((n for n in range(of, len(words)) if words[n] in _STOPS), len(words))
     things = next((n for n in range(of + 2, end) if words[n] not in _LOOKS), end)
     said = " ".join(words[things + 1 : end])
-    several = things < end and (lexicon.BLOCK.get(words[things]) or lexicon.STRUCTURE.get(words[things], ("", False))[1])
+    several = things < end and (
+        lexicon.BLOCK.get(words[things]) or lexicon.STRUCTURE.get(words[things], ("", False))[1]
+    )
     lined = any(line in said for line in _LINED) or {"rows", "columns"} <= {*words[things:end]}
     named = all(_strange(word) and (word.word in _LONG or not _tells(word)) for word in name)
     if several and lined and named and name[-1].word not in _UPRIGHT:
@@ -131,8 +133,19 @@ def _lined_up(tokens: list[Token], at: int) -> Iterator[tuple[str, int]]:
 
 
 _LOOKS = lexicon.COLOR.keys() | lexicon.SIZE.keys() | lexicon.NUMBER.keys() | {"and", ","}
-_LINED = ("in a row", "in one row", "in a line", "in one line", "in a straight row", "in a straight line",
-          "one behind the other", "side by side", "stacked", "on top of each other", "one on top of the other")
+_LINED = (
+    "in a row",
+    "in one row",
+    "in a line",
+    "in one line",
+    "in a straight row",
+    "in a straight line",
+    "one behind the other",
+    "side by side",
+    "stacked",
+    "on top of each other",
+    "one on top of the other",
+)
 _LONG = frozenset({"snake", "worm"})
 _UPRIGHT = frozenset({"facade", "fence", "window", "screen", "shelf", "bookshelf", "shelves", "cupboard", "cabinet",
                       "curtain", "poster", "billboard", "building", "house", "gate", "hedge", "dam"})  # fmt: skip

@@ -112,7 +112,9 @@ def _felt(words: Sequence[str]) -> frozenset[int]:
     moved = words[0] in _POINTING and words[verb : verb + 1] != [] and words[verb].endswith("s")
     if moved and words[verb + 1 : verb + 2] != [] and words[verb + 1] in _WHOM and is_strange(words[verb]):
         return frozenset({0, verb - 1, *([len(words) - 1] if words[-1] in ("up", "down") else [])})
-    trusted = words[-1] == "it" and words[-2] in ("by", "about", "of", "for") and not harmless.PEOPLE.isdisjoint(words[:2])
+    trusted = (
+        words[-1] == "it" and words[-2] in ("by", "about", "of", "for") and not harmless.PEOPLE.isdisjoint(words[:2])
+    )
     return frozenset({len(words) - 1} if trusted else ())
 
 

@@ -63,7 +63,8 @@ _WHOLE = (
     "no need|reason to hurry|rush|worry|panic|be_afraid",
     "no hurry|rush|problem|problems|worries|stress|pressure|panic|trouble|offence|offense|joke|kidding|doubt|"
     "wonder|idea|"
-    "big_deal|biggie|fuss|frills|pun_intended|sweat|excuses|questions|questions_asked|arguments at_all|please|though|today|really|here?",
+    "big_deal|biggie|fuss|frills|pun_intended|sweat|"
+    "excuses|questions|questions_asked|arguments at_all|please|though|today|really|here?",
     "i|we am|are not joking|kidding",
     "this|that|it is not a joke|prank",
     "watch|look|listen|observe|behold",

@@ -51,7 +51,9 @@ def named_behind(tokens: list[Token], words: list[str], at: int, goes_on: bool) 
     end += known
     if end == name or (end < len(words) and words[end] not in _BREAKS):
         return
-    called = bool(call) or (goes_on and not verb) or verb > 1 or tokens[name].raw[0].isupper() or _stuff(words, name, end)
+    called = (
+        bool(call) or (goes_on and not verb) or verb > 1 or tokens[name].raw[0].isupper() or _stuff(words, name, end)
+    )
     again = any(words[n : n + end - name] == words[name:end] for n in range(len(words)) if n != name)
     if known and not again and words[name] not in _MERELY:
         return
@@ -77,6 +79,8 @@ _ARE = (("are", "called"), ("are", "named"), ("are",), ("represent",), ("stand",
 _ALIKE = frozenset({"sheep", "mice", "people", "men", "women", "children", "fish", "geese", "deer"})
 """Plurals without an "s"."""
 _ENDED = ([], *([mark] for mark in _BREAKS))
+
+
 def _stuff(words: list[str], name: int, end: int) -> bool:
     """ "(The red mat is) lava ... the lava": what is named so again, and not what something else is like, as in "the
     dirty one"."""

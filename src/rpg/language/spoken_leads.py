@@ -93,7 +93,7 @@ def heading(tokens: Sequence[Token]) -> int:
     distractors (from the pilot study):"."""
     end = next((n for n in range(min(2 * LONGEST, len(tokens) - 1)) if sets_off(tokens, n)), 0)
     mark = end
-    if end > 1 and tokens[end - 1].kind == "number" and tokens[end - 2].word in TESTS | PEOPLE:
+    if end > 1 and tokens[end - 1].kind == "number" and tokens[end - 2].word in TESTS | PEOPLE | OCCASIONS:
         end -= 1
     told = _without_aside(tokens[:end])
     words = [token.word for token in told]
@@ -154,8 +154,10 @@ def _named_again(told: Sequence[Token], behind: Sequence[Token]) -> bool:
     "two teams of three: (three white blocks ...)"."""
     words = [token.word for token in told]
     named = any(word in TESTS or word not in vocabulary() for word in words)
-    return named and (_NOT | PLACING).isdisjoint(words) and all(
-        _names_nothing(told, n) or told_again(words, n, behind) for n in range(len(words))
+    return (
+        named
+        and (_NOT | PLACING).isdisjoint(words)
+        and all(_names_nothing(told, n) or told_again(words, n, behind) for n in range(len(words)))
     )
 
 

@@ -18,7 +18,9 @@ def led_by_form(tokens: Sequence[Token], commanded: bool) -> int:
     """How many of the first words of a text are such a lead. `commanded`: behind what it is comes a command, so that it
     may be like this at the start."""
     ways = (heading, asked_of_it, purpose, dared, glad_if, favour, clause, announcement, ability)
-    return (0 if commanded else subject(tokens) or included(tokens)) or next((led for way in ways if (led := way(tokens))), 0)
+    return (0 if commanded else subject(tokens) or included(tokens)) or next(
+        (led for way in ways if (led := way(tokens))), 0
+    )
 
 
 _LIGHTLY = (
@@ -97,13 +99,17 @@ def included(tokens: Sequence[Token]) -> int:
 def asked_of_it(tokens: Sequence[Token]) -> int:
     """How many of the first words ask whether who does it can: "can it (stack three blocks)?"."""
     words = [token.word for token in tokens[:4]]
-    asked = words[:1] != [] and words[0] in ("can", "could", "will", "would") and words[1:2] in (["it"], ["he"], ["she"])
+    asked = (
+        words[:1] != [] and words[0] in ("can", "could", "will", "would") and words[1:2] in (["it"], ["he"], ["she"])
+    )
     at = 2 + (words[2:3] == ["please"])
     commands = at < len(words) and words[at] in lexicon.COMMANDS - (lexicon.POSTURE - {"put"})
     return at if asked and commands else 0
 
 
-_INCLUDED = listed("task test scene scenario episode trial exercise example case variant problem challenge puzzle level")
+_INCLUDED = listed(
+    "task test scene scenario episode trial exercise example case variant problem challenge puzzle level"
+)
 _IN_IT = (("in", "which"), ("where",), ("in", "that"), ("such", "that"), ("with",), ("which", "asks", "for"),
           ("that", "asks", "for"), ("consisting", "of"))  # fmt: skip
 _SOME = listed("a an another one some")
@@ -234,8 +240,16 @@ def _with_it(words: Sequence[str], begin: int) -> int:
 _PLEASING = listed("surprise impress delight wow dazzle amaze treat spoil cheer entertain honor honour astonish reward")
 _TRIES = tuple(
     (*lead, *said)
-    for lead in ((), ("maybe",), ("let", "us"), ("please",), ("just",), ("perhaps",), ("so", "let", "us"),
-                 *((who, "could", *also) for who in ("you", "we", "they") for also in ((), ("also",))))
+    for lead in (
+        (),
+        ("maybe",),
+        ("let", "us"),
+        ("please",),
+        ("just",),
+        ("perhaps",),
+        ("so", "let", "us"),
+        *((who, "could", *also) for who in ("you", "we", "they") for also in ((), ("also",))),
+    )
     for said in (("try",), ("go", "with"), ("go", "for"), ("do",), ("attempt",), ("test",), ("try", "out"))
 )
 

@@ -41,7 +41,7 @@ _AGAINST = (
     "bewar", "inhibit", "hinder", "cancel", "abort", "resist", "oppos", "deny", "deni",
     "exempt", "skip",
     "omit", "lack", "missing", "destroy", "ruin", "dismantl", "disassembl", "wreck", "demolish", "unstack", "unbuild",
-    "protect",
+    "protect", "nope", "nogo", "unsaf", "hazard", "pitfall", "verbot",
     "sabotag", "trap", "doubt", "instead", "rather", "suppos", "assum", "hypothe", "imagin", "pretend",
 )  # fmt: skip
 """How words of a lead begin that turn against what stands behind, or make no goal of it."""

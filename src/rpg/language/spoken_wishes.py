@@ -87,9 +87,11 @@ def included(tokens: Sequence[Token]) -> int:
             break
     else:
         return 0
+    if ":" in words[at:]:
+        return 0  # it is so at the start
     begin = next((n for n in range(at - 2, -1, -1) if words[n] in _SOME), -1)
     ahead, sorts = words[: max(begin, 0)], words[begin + 1 : at - 1]
-    wished = not ahead or not _WISHED_FOR.isdisjoint(ahead)
+    wished = not ahead or (not _WISHED_FOR.isdisjoint(ahead) and _SAD.isdisjoint(ahead))
     plain = of_words(tokens[:at]) and all(map(tells_nothing, sorts)) and "had" not in ahead
     plain = plain and all(word in _WISHED_FOR | _THEM | harmless.DOINGS or tells_nothing(word) for word in ahead)
     figure = words[at] != "with" or words[at + 1] in BEGINS

@@ -330,6 +330,7 @@ _WHOLE = (
     "capisce|comprende|savvy|kapish|mkay|gosh|knock_knock|drumroll|abracadabra|beep_boop",
     "gosh|darn|dang|damn|drat|gosh_darn it",
     "the rest is history",
+    "up|ready|game|feel_up for a|another|some|the? little|new|next? challenge|game|fun|it|puzzle|round",
     "dear sir|madam|sirs|colleagues|all or|and? madam|sir|colleagues?",
     "last time it|this|that took ages|forever|hours|so_long",
     "poor|bless|lucky|clever thing|her|him|them|you|me|boy|girl|dear|us",

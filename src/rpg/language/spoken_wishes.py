@@ -9,7 +9,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rpg.language import harmless, lexicon
+from rpg.language.smalltalk import is_strange
 from rpg.language.spoken_leads import BEGINS, DET, LONGEST, TESTS, heading, of_words, sets_off, subject, tells_nothing
+from rpg.language.telling import may_tell_how
 from rpg.language.tokens import Token
 from rpg.language.word_lists import listed
 
@@ -17,7 +19,7 @@ from rpg.language.word_lists import listed
 def led_by_form(tokens: Sequence[Token], commanded: bool) -> int:
     """How many of the first words of a text are such a lead. `commanded`: behind what it is comes a command, so that it
     may be like this at the start."""
-    ways = (heading, asked_of_it, purpose, dared, glad_if, favour, clause, announcement, ability)
+    ways = (heading, called_by_name, asked_of_it, purpose, dared, glad_if, favour, clause, announcement, ability)
     return (0 if commanded else subject(tokens) or included(tokens)) or next(
         (led for way in ways if (led := way(tokens))), 0
     )
@@ -107,6 +109,14 @@ def asked_of_it(tokens: Sequence[Token]) -> int:
     at = 2 + (words[2:3] == ["please"])
     commands = at < len(words) and words[at] in lexicon.COMMANDS - (lexicon.POSTURE - {"put"})
     return at if asked and commands else 0
+
+
+def called_by_name(tokens: Sequence[Token]) -> int:
+    """How many of the first words call somebody by a name that is not known: "Alexa, (put ...)"."""
+    words = [token.word for token in tokens]
+    named = words[1:2] == [","] and is_strange(words[0]) and tells_nothing(words[0]) and not may_tell_how(words[0])
+    commanded = len(words) > 3 and words[2] in lexicon.COMMANDS | {"please", "can", "could", "would", "will"}
+    return 2 if named and commanded and tokens[0].raw[:1].isupper() else 0
 
 
 _INCLUDED = listed(
@@ -311,7 +321,7 @@ def purpose(tokens: Sequence[Token]) -> int:
     if words[0] in ("in", "during"):
         return 0
     end = next((n for n in range(2, min(LONGEST + 1, len(words) - 1)) if _goes_on(words, n)), 0)
-    begun = words[0] == "for" or words[1] in DET
+    begun = words[0] == "for" or words[1] in DET | {"someone", "somebody"}
     kept = words[1] in ("keep", "make", "get") and not _GLAD.isdisjoint(words[:end])
     aimed = words[0] == "to" and (kept or words[1] not in lexicon.VERB) and words[end] in (",", ":")
     known = (begun or aimed) and of_words(tokens[:end]) and all(_of_an_aim(words, n) for n in range(1, end))

@@ -108,6 +108,8 @@ def _felt(words: Sequence[str]) -> frozenset[int]:
         return frozenset(n for n, word in enumerate(words) if word in _POINTING | {"up"} or word.startswith("mess"))
     if words[0] == "while" and words[1] in ("i", "we", "he", "she") and words[-1] in _SEEN:
         return frozenset({2})  # "while I grab a coffee"
+    if words[0] == "which" and not any(word in lexicon.VERB and not word.startswith("ma") for word in words):
+        return frozenset({0, *(n for n, word in enumerate(words) if word in _MERELY)})
     verb = 1 + (words[1:2] != [] and words[1] in _MERELY)
     moved = words[0] in _POINTING and words[verb : verb + 1] != [] and words[verb].endswith("s")
     if moved and words[verb + 1 : verb + 2] != [] and words[verb + 1] in _WHOM and is_strange(words[verb]):
@@ -131,7 +133,7 @@ def _liked(clause: Sequence[Token], others: Sequence[Token]) -> bool:
 _LIKING = listed("likes loves prefers hates dislikes adores enjoys fears detests")
 _REASONS = listed("because since cause cos coz")
 _POINTING = listed("it this that")
-_MERELY = listed("always just really simply never actually")
+_MERELY = listed("always just really simply actually")
 _WHOM = _OURS - listed("i we he she nobody") | {"them", "him"}
 
 

@@ -330,6 +330,9 @@ _WHOLE = (
     "capisce|comprende|savvy|kapish|mkay|gosh|knock_knock|drumroll|abracadabra|beep_boop",
     "gosh|darn|dang|damn|drat|gosh_darn it",
     "the rest is history",
+    "as_per|see|see_also|cf the|my|our? attached|enclosed? sketch|photo|picture|drawing|attachment|image|diagram|"
+    "appendix|illustration below|attached|enclosed?",
+    "photo|picture|sketch|drawing|image|diagram attached|enclosed|below|follows",
     "up|ready|game|feel_up for a|another|some|the? little|new|next? challenge|game|fun|it|puzzle|round",
     "dear sir|madam|sirs|colleagues|all or|and? madam|sir|colleagues?",
     "last time it|this|that took ages|forever|hours|so_long",

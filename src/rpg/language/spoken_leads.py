@@ -116,6 +116,8 @@ def heading(tokens: Sequence[Token]) -> int:
 def name_alone(tokens: Sequence[Token], behind: Sequence[Token]) -> bool:
     """Whether the first sentence of a text is but a name of what the others tell: "Traffic light.", "Reversal of a
     stack."; with a verb that is not known it would be something to do."""
+    if [token.word for token in tokens[:2]] in (["what", "a"], ["what", "an"]):
+        tokens = tokens[2:]  # "what a lousy day"
     words = [token.word for token in tokens]
     if not 0 < len(words) <= LONGEST or not behind or behind[0].word in _THEN or not _OBJECTS.isdisjoint(words):
         return False

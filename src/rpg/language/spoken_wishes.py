@@ -160,6 +160,8 @@ _EAGER = (
     "behold the goal",
     "not to be fussy but", "not to be difficult but", "as far as i 'm concerned", "as far as i am concerned", "behold",
     "this time around", "this time round", "this time", "truth be told", "honest to god", "i challenge you to",
+    *(f"i {am} no {who} but" for am in ("'m", "am") for who in ("expert", "robot", "roboticist", "engineer", "pro")),
+    "correct me if i 'm wrong but", "correct me if i am wrong but",
     "hand on heart", "ideally", "hopefully", "honestly", "frankly", "seriously", "in an ideal world",
     "in a perfect world",
     "for what it 's worth", "for what it is worth", "here 's what i 'm thinking", "here is what i am thinking",

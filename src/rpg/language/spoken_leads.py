@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rpg.language import lexicon
-from rpg.language.harmless import OCCASIONS, PEOPLE
+from rpg.language.harmless import DOINGS, OCCASIONS, PEOPLE
 from rpg.language.slips import slips_of
 from rpg.language.smalltalk import is_strange, takes_back
 from rpg.language.spelling import vocabulary
@@ -121,6 +121,8 @@ def name_alone(tokens: Sequence[Token], behind: Sequence[Token]) -> bool:
     words = [token.word for token in tokens]
     if not 0 < len(words) <= LONGEST or not behind or behind[0].word in _THEN or not _OBJECTS.isdisjoint(words):
         return False
+    if any(word in lexicon.VERB or word in DOINGS for word in words):
+        return False  # "make a lighthouse", "we need a lighthouse"
     strange = any(word not in vocabulary() for word in words)
     plain = all(_names_nothing(tokens, n) for n in range(len(words)))
     again = any(word in ("of", "with") for word in words[1:]) and _named_again(tokens, behind)

@@ -121,8 +121,9 @@ def name_alone(tokens: Sequence[Token], behind: Sequence[Token]) -> bool:
     words = [token.word for token in tokens]
     if not 0 < len(words) <= LONGEST or not behind or behind[0].word in _THEN or not _OBJECTS.isdisjoint(words):
         return False
-    if any(word in lexicon.VERB or word in DOINGS for word in words):
-        return False  # "make a lighthouse", "we need a lighthouse"
+    head = words[: next((n for n, word in enumerate(words) if word in ("of", "with")), len(words))]
+    if words[0] in ("a", "an", "one", "some") or any(word in lexicon.VERB or word in DOINGS for word in head):
+        return False  # "a lighthouse, please", "we need a lighthouse"
     strange = any(word not in vocabulary() for word in words)
     plain = all(_names_nothing(tokens, n) for n in range(len(words)))
     again = any(word in ("of", "with") for word in words[1:]) and _named_again(tokens, behind)

@@ -53,7 +53,10 @@ _FREE = (FINE - _WEIGHTY) | listed(
 )
 _WHOSE = listed("any the its their whose every initial starting start exact final")
 _IS = listed("is are 's will be was were counts as remains stays")
-_COUNTED = listed("second seconds minute minutes month months year years day days week weeks step steps try tries attempt attempts time times hour hours")
+_COUNTED = listed(
+    "second seconds minute minutes month months year years day days week weeks step steps try tries "
+    "attempt attempts time times hour hours"
+)
 _ASKED = listed("does do did is are was were has have")
 _TRIES = listed("do handle solve manage complete pass achieve this that it")
 _BINDING = listed("must should shall may not never without unless until if only except but instead")
@@ -65,9 +68,7 @@ def of_the_task(tokens: Sequence[Token]) -> bool:
     words = [token.word for token in tokens]
     if not 2 < len(words) <= _LONGEST or any(token.kind not in ("word", "number", "punct") for token in tokens):
         return False
-    return (
-        _left_open(words) or _asks_of_who_tries(tokens, words) or _told(tokens, words) or _studied(tokens, words)
-    )
+    return _left_open(words) or _asks_of_who_tries(tokens, words) or _told(tokens, words) or _studied(tokens, words)
 
 
 def _left_open(words: list[str]) -> bool:
@@ -111,8 +112,8 @@ def _of_blocks(tokens: Sequence[Token], words: list[str], n: int) -> bool:
 _STUDIES = frozenset(
     form
     for verb in listed(
-        "probe test check measure assess study examine investigate describe discuss report mention propose master learn "
-        "know teach train evaluate publish analyze explain love enjoy like"
+        "probe test check measure assess study examine investigate describe discuss report mention propose master "
+        "learn know teach train evaluate publish analyze explain love enjoy like"
     )
     for form in (verb, plural_of(verb), f"{verb}d" if verb.endswith("e") else f"{verb}ed")
 ) | listed("studied taught knew")

@@ -114,21 +114,39 @@ def _lined_up(tokens: list[Token], at: int) -> Iterator[tuple[str, int]]:
     """The name of so many things of which it is said how they are lined up, and the position behind it: "a skyline of
     (three towers in a row)", "a rack of (12 cubes, 3 rows by 4 columns)"."""
     words = [token.word for token in tokens]
-    of = next((n for n in range(at + 2, at + _LONGEST + 1) if words[n : n + 1] == ["of"]), 0)
-    if words[at] not in _ARTICLES or not of or of + 2 > len(words) or tokens[of + 1].many < 2:
+    end = next((n for n in range(at + 2, at + _LONGEST + 1) if words[n : n + 1] != [] and words[n] in _OUT_OF), 0)
+    of = end + length_at(words, end, (("made", "out"), ("built", "out"), ("made",), ("built",), ("out",))) if end else 0
+    begun = words[at] in _ARTICLES and 0 < of < len(words) - 2 and words[of] in ("of", "from")
+    if not begun or tokens[of + 1].many < 2:
         return
-    name = tokens[at + 1 : of]
+    name = tokens[at + 1 : end]
     end = next((n for n in range(of, len(words)) if words[n] in _STOPS), len(words))
     things = next((n for n in range(of + 2, end) if words[n] not in _LOOKS), end)
     said = " ".join(words[things + 1 : end])
-    several = things < end and (lexicon.BLOCK.get(words[things]) or lexicon.STRUCTURE.get(words[things], ("", False))[1])
+    several = things < end and (
+        lexicon.BLOCK.get(words[things]) or lexicon.STRUCTURE.get(words[things], ("", False))[1]
+    )
     lined = any(line in said for line in _LINED) or {"rows", "columns"} <= {*words[things:end]}
-    if several and lined and all(map(_strange, name)) and not any(map(_tells, name)) and name[-1].word not in _UPRIGHT:
+    named = all(_strange(word) and (word.word in _LONG or not _tells(word)) for word in name)
+    if several and lined and named and name[-1].word not in _UPRIGHT:
         yield " ".join(token.raw for token in name), of + 1
 
 
 _LOOKS = lexicon.COLOR.keys() | lexicon.SIZE.keys() | lexicon.NUMBER.keys() | {"and", ","}
-_LINED = ("in a row", "in one row", "in a line", "in one line", "in a straight row", "in a straight line")
+_LINED = (
+    "in a row",
+    "in one row",
+    "in a line",
+    "in one line",
+    "in a straight row",
+    "in a straight line",
+    "one behind the other",
+    "side by side",
+    "stacked",
+    "on top of each other",
+    "one on top of the other",
+)
+_LONG = frozenset({"snake", "worm"})
 _UPRIGHT = frozenset({"facade", "fence", "window", "screen", "shelf", "bookshelf", "shelves", "cupboard", "cabinet",
                       "curtain", "poster", "billboard", "building", "house", "gate", "hedge", "dam"})  # fmt: skip
 """What would stand upright, of which rows and columns lie flat otherwise."""

@@ -9,6 +9,7 @@ import re
 from collections.abc import Iterator
 
 from rpg.language import lexicon
+from rpg.language.harmless import exclaimed
 from rpg.language.spelling import vocabulary
 from rpg.language.tokens import Token
 
@@ -58,7 +59,7 @@ def as_typed(tokens: list[Token]) -> list[Token]:
 
 def _drawn_out(token: Token) -> Token:
     """ "Pleeeease", "aaaand", "sooo": the word that is drawn out; "XXX" shows what it says."""
-    if token.kind != "word" or _LONG.search(token.word) is None or token.raw.isupper():
+    if token.kind != "word" or _LONG.search(token.word) is None or token.raw.isupper() or exclaimed(token.word):
         return token
     short = (_LONG.sub(r"\1" * many, token.word) for many in (1, 2))
     return next((token.saying(word) for word in short if len(word) > 1 and word in vocabulary()), token)

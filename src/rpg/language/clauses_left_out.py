@@ -13,6 +13,7 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
 from rpg.language import harmless, lexicon
+from rpg.language.not_here import HINTS
 from rpg.language.smalltalk import is_strange, takes_back
 from rpg.language.spoken_leads import DET, PLACING, TESTS, bends, of_words, tells_nothing
 from rpg.language.telling import may_tell, may_tell_how, tells
@@ -93,12 +94,35 @@ def only_talk(tokens: Sequence[Token]) -> bool:
     titled = words[:1] != ["this"] and 1 < len(words) <= _TITLE and words[-1] in TESTS and words[-2] not in DET
     if (len(words) < _FEWEST and not titled) or (words[0] in lexicon.COMMANDS and not titled) or takes_back(words):
         return False
+    if not lead and _wished_for(words):
+        return False
     aimed = _lead(words, _AIMS)
     tried = titled or (bool(aimed) and not _TRYING.isdisjoint(words[aimed : aimed + 4]))
     felt = _felt(words)
     if any(n not in felt and not _harmless(token, words, n, tried) for n, token in enumerate(tokens) if n >= lead):
         return False
     return not _ANCHORS.isdisjoint(words) or tried
+
+
+def _wished_for(words: Sequence[str]) -> bool:
+    """ "I want a lighthouse", "a lighthouse would be nice": of what is wished for nobody knows how its blocks stand."""
+    for n, word in enumerate(words):
+        things = next((k for k in range(n + 1, n + 4) if words[k : k + 1] != [] and words[k] in _ONE), 0)
+        begun = n + 1 if n == 0 and word in _ONE else things + 1 if things and word in _WISHING else 0
+        if begun and any(map(_not_known, words[begun : begun + 3])):
+            return True
+    return False
+
+
+def _not_known(thing: str) -> bool:
+    return thing in HINTS or (is_strange(thing) and thing not in harmless.EVERYDAY)
+
+
+_ONE = listed("a an one some two three")
+_WISHING = listed(
+    "want wants wanted need needs needed like likes wish wishes dream dreams dreaming give get bring fetch show order "
+    "ordered requested asked prefer prefers imagine imagining expect expects"
+)
 
 
 def _felt(words: Sequence[str]) -> frozenset[int]:
@@ -108,11 +132,15 @@ def _felt(words: Sequence[str]) -> frozenset[int]:
         return frozenset(n for n, word in enumerate(words) if word in _POINTING | {"up"} or word.startswith("mess"))
     if words[0] == "while" and words[1] in ("i", "we", "he", "she") and words[-1] in _SEEN:
         return frozenset({2})  # "while I grab a coffee"
+    if words[0] == "which" and not any(word in lexicon.VERB and not word.startswith("ma") for word in words):
+        return frozenset({0, *(n for n, word in enumerate(words) if word in _MERELY)})
     verb = 1 + (words[1:2] != [] and words[1] in _MERELY)
     moved = words[0] in _POINTING and words[verb : verb + 1] != [] and words[verb].endswith("s")
     if moved and words[verb + 1 : verb + 2] != [] and words[verb + 1] in _WHOM and is_strange(words[verb]):
         return frozenset({0, verb - 1, *([len(words) - 1] if words[-1] in ("up", "down") else [])})
-    trusted = words[-1] == "it" and words[-2] in ("by", "about", "of", "for") and not harmless.PEOPLE.isdisjoint(words[:2])
+    trusted = (
+        words[-1] == "it" and words[-2] in ("by", "about", "of", "for") and not harmless.PEOPLE.isdisjoint(words[:2])
+    )
     return frozenset({len(words) - 1} if trusted else ())
 
 
@@ -129,7 +157,7 @@ def _liked(clause: Sequence[Token], others: Sequence[Token]) -> bool:
 _LIKING = listed("likes loves prefers hates dislikes adores enjoys fears detests")
 _REASONS = listed("because since cause cos coz")
 _POINTING = listed("it this that")
-_MERELY = listed("always just really simply never actually")
+_MERELY = listed("always just really simply actually")
 _WHOM = _OURS - listed("i we he she nobody") | {"them", "him"}
 
 

@@ -40,6 +40,8 @@ _HOW = frozenset({"so", "very", "really", "a", "bit", "little", "all", "always",
 _ALONE = frozenset({
     *FEELINGS, "lonesome", "unhappy", "tired", "thirsty", "proud", "lazy", "nervous", "curious", "excited", "grumpy",
     "homesick", "cute", "ugly", "pretty", "beautiful", "funny", "famous", "brave", "friendly",
+    "chipped", "sticky", "dirty", "dusty", "scratched", "worn", "fragile", "delicate", "precious", "valuable", "broken",
+    "greasy", "slippery", "smelly", "antique", "rusty",
 })  # fmt: skip
 """What no block is."""
 _ADDED = frozenset({"today", "again", "there", "here", "now"})

@@ -31,7 +31,7 @@ _PEOPLE = f"""
     minister mayor king queen prince princess knight wizard witch fairy santa priest nun monk pastor bishop rabbi imam
     headmaster headmistress principal tutor lecturer docent librarian janitor caretaker babysitter nanny cousin
     hero heroine genius angel devil boss chief crew staff committee jury sweetheart sweetie darling honey
-    dear buddy chap fella lad lass dude bro sis grader freshman sophomore schoolboy schoolgirl preschooler
+    dear buddy chap fella lad lass dude bro sis grader freshman sophomore schoolboy schoolgirl preschooler spy reviewer
 """
 """Who somebody is."""
 _ANIMALS = """
@@ -174,7 +174,7 @@ _CALLS = re.compile(r"o+h*|a+h+|w+h?o+(?:a+h*)?|w+h+e{2,}|e{2,}k+|h+m{2,}|m{2,}h
                     r"y+a{2,}y+|y+e{2,}s+|w+o+w{2,}|w+o{2,}h*o+|t+a+d+a{2,}|hooray+|ps{2,}t+|shh+|brr+|hell+o{2,}|"
                     r"hi{2,}|he+y{2,}|ple+a+se{2,}|pleas{2,}e|so{3,}|uff+|pff+|(?:hi){2,}|(?:ho){2,}|oi+|aye+|ahem|"
                     r"yipp(?:ee|ie)+|alrighty|righto|okie|dokie|okey|dokey|oopsie|whoops|yup+|yep+|yum+y?|bam|boom|"
-                    r"hurray")  # fmt: skip
+                    r"hurray|e+r{2,}")  # fmt: skip
 """Calls as they are drawn out."""
 
 

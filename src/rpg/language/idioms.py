@@ -63,7 +63,8 @@ _WHOLE = (
     "no need|reason to hurry|rush|worry|panic|be_afraid",
     "no hurry|rush|problem|problems|worries|stress|pressure|panic|trouble|offence|offense|joke|kidding|doubt|"
     "wonder|idea|"
-    "big_deal|biggie|fuss|frills|pun_intended|sweat|excuses|questions|questions_asked|arguments at_all|please|though|today|really|here?",
+    "big_deal|biggie|fuss|frills|pun_intended|sweat|"
+    "excuses|questions|questions_asked|arguments at_all|please|though|today|really|here?",
     "i|we am|are not joking|kidding",
     "this|that|it is not a joke|prank",
     "watch|look|listen|observe|behold",
@@ -329,6 +330,11 @@ _WHOLE = (
     "capisce|comprende|savvy|kapish|mkay|gosh|knock_knock|drumroll|abracadabra|beep_boop",
     "gosh|darn|dang|damn|drat|gosh_darn it",
     "the rest is history",
+    "as_per|see|see_also|cf the|my|our? attached|enclosed? sketch|photo|picture|drawing|attachment|image|diagram|"
+    "appendix|illustration below|attached|enclosed?",
+    "photo|picture|sketch|drawing|image|diagram attached|enclosed|below|follows",
+    "up|ready|game|feel_up for a|another|some|the? little|new|next? challenge|game|fun|it|puzzle|round",
+    "dear sir|madam|sirs|colleagues|all or|and? madam|sir|colleagues?",
     "last time it|this|that took ages|forever|hours|so_long",
     "poor|bless|lucky|clever thing|her|him|them|you|me|boy|girl|dear|us",
 )

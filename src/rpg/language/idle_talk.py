@@ -12,7 +12,7 @@ from rpg.language import harmless, lexicon
 from rpg.language.about_the_task import of_the_task
 from rpg.language.idioms import IDIOMS, TIMELY
 from rpg.language.lead_ins import on_behalf, set_in
-from rpg.language.reasons import meanwhile, reason_or_aim
+from rpg.language.reasons import meanwhile, reason_or_aim, rewards
 from rpg.language.smalltalk import is_strange, small_talk
 from rpg.language.spoken_wishes import for_what
 from rpg.language.talk_forms import by_form, polite_condition, takes_care
@@ -118,6 +118,7 @@ def reason_at(tokens: Sequence[Token], at: int) -> bool:
     careful = words[0] in ("with", "without", "in") and takes_care(words)
     wanted = wanted or for_what(tokens, at)
     formed = reason_or_aim(tokens[at:]) or polite_condition(words) or meanwhile(tokens[at:]) or careful or wanted
+    formed = formed or rewards(tokens[at:])
     return said or timely or formed or _aimed(tokens[at:], _BECAUSE) or _for_somebody(words) or _of_own_things(words)
 
 

@@ -15,9 +15,9 @@ from rpg.language.nicknames import PLACES, labels, named_behind, names_at, said,
 from rpg.language.phrases import length_at
 from rpg.language.tokens import Token
 
-_BEFORE = frozenset({".", ",", ";", ":", "!", "?", "and", "let", "where", "(", "suppose", "say"})
+_LED = frozenset({"let", "where", "suppose", "say", "pretend", "imagine", "assume"})
+_BEFORE = frozenset({".", ",", ";", ":", "!", "?", "and", "("}) | _LED
 """What a naming stands behind."""
-_LED = frozenset({"let", "where", "suppose", "say"})
 _IS = (("is",), (":",), ("=",), ("be",), ("means",), ("will", "be"), ("shall", "be"), ("stands", "for"), ("are",),
        ("refers", "to"), ("denotes",), ("denote",))  # fmt: skip
 _CLOSED = frozenset({",", ".", ";", "!", "?", "and", ")"})
@@ -72,6 +72,7 @@ def with_names(tokens: list[Token]) -> tuple[list[Token], list[str]]:
         first = tokens[naming.begin]
         there = ("there", "are") if naming.plural else ("there", "is", "a")
         led = naming.begin - (naming.begin > 0 and words[naming.begin - 1] in _LED)
+        led -= 2 * (led < naming.begin and words[max(0, led - 2) : led] == ["let", "us"])
         set_off = led < naming.begin and led > at and words[led - 1] == ","
         out += _again(tokens, words, at, led - set_off, names)
         out += [first.saying(".")] if set_off else []

@@ -51,7 +51,9 @@ def named_behind(tokens: list[Token], words: list[str], at: int, goes_on: bool) 
     end += known
     if end == name or (end < len(words) and words[end] not in _BREAKS):
         return
-    called = bool(call) or (goes_on and not verb) or verb > 1 or tokens[name].raw[0].isupper()
+    called = (
+        bool(call) or (goes_on and not verb) or verb > 1 or tokens[name].raw[0].isupper() or _stuff(words, name, end)
+    )
     again = any(words[n : n + end - name] == words[name:end] for n in range(len(words)) if n != name)
     if known and not again and words[name] not in _MERELY:
         return
@@ -62,8 +64,9 @@ def named_behind(tokens: list[Token], words: list[str], at: int, goes_on: bool) 
 def _several_named(tokens: list[Token], words: list[str], at: int) -> Iterator[tuple[int, int, int, int]]:
     """ "The green blocks are the frogs": what several are called that are named so again; one of them would be no
     others."""
-    things = things_at(words, at)
-    verb = length_at(words, things, _ARE) if things > at else 0
+    many = words[at] in lexicon.NUMBER and lexicon.NUMBER[words[at]] > 1
+    things = things_at(words, at + many)
+    verb = length_at(words, things, _ARE) if things > at + many else 0
     name = things + verb + (words[things + verb : things + verb + 1] == ["the"])
     if not verb or name >= len(words) or not strange(tokens[name]) or words[name + 1 : name + 2] not in _ENDED:
         return
@@ -76,6 +79,17 @@ _ARE = (("are", "called"), ("are", "named"), ("are",), ("represent",), ("stand",
 _ALIKE = frozenset({"sheep", "mice", "people", "men", "women", "children", "fish", "geese", "deer"})
 """Plurals without an "s"."""
 _ENDED = ([], *([mark] for mark in _BREAKS))
+
+
+def _stuff(words: list[str], name: int, end: int) -> bool:
+    """ "(The red mat is) lava ... the lava": what is named so again, and not what something else is like, as in "the
+    dirty one"."""
+    again = [n + end - name for n in range(end, len(words)) if words[n : n + end - name] == words[name:end]]
+    nouns = lexicon.BLOCK.keys() | lexicon.PATCH.keys() | lexicon.STRUCTURE.keys() | {"one", "ones"}
+    named = all(words[n - end + name - 1] == "the" and (n == len(words) or words[n] not in nouns) for n in again)
+    return bool(again) and named
+
+
 ROLES = frozenset({"landmark", "target", "base", "home", "marker", "reference", "key", "distractor"})
 """Words with a meaning of their own, by which a thing may be called as well."""
 _MERELY = frozenset({"landmark", "target", "marker", "reference"})

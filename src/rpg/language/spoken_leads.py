@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rpg.language import lexicon
-from rpg.language.harmless import OCCASIONS
+from rpg.language.harmless import DOINGS, OCCASIONS, PEOPLE
 from rpg.language.slips import slips_of
 from rpg.language.smalltalk import is_strange, takes_back
 from rpg.language.spelling import vocabulary
@@ -41,7 +41,7 @@ _AGAINST = (
     "bewar", "inhibit", "hinder", "cancel", "abort", "resist", "oppos", "deny", "deni",
     "exempt", "skip",
     "omit", "lack", "missing", "destroy", "ruin", "dismantl", "disassembl", "wreck", "demolish", "unstack", "unbuild",
-    "protect",
+    "protect", "nope", "nogo", "unsaf", "hazard", "pitfall", "verbot",
     "sabotag", "trap", "doubt", "instead", "rather", "suppos", "assum", "hypothe", "imagin", "pretend",
 )  # fmt: skip
 """How words of a lead begin that turn against what stands behind, or make no goal of it."""
@@ -93,7 +93,7 @@ def heading(tokens: Sequence[Token]) -> int:
     distractors (from the pilot study):"."""
     end = next((n for n in range(min(2 * LONGEST, len(tokens) - 1)) if sets_off(tokens, n)), 0)
     mark = end
-    if end > 1 and tokens[end - 1].kind == "number" and tokens[end - 2].word in TESTS:
+    if end > 1 and tokens[end - 1].kind == "number" and tokens[end - 2].word in TESTS | PEOPLE | OCCASIONS:
         end -= 1
     told = _without_aside(tokens[:end])
     words = [token.word for token in told]
@@ -116,9 +116,14 @@ def heading(tokens: Sequence[Token]) -> int:
 def name_alone(tokens: Sequence[Token], behind: Sequence[Token]) -> bool:
     """Whether the first sentence of a text is but a name of what the others tell: "Traffic light.", "Reversal of a
     stack."; with a verb that is not known it would be something to do."""
+    if [token.word for token in tokens[:2]] in (["what", "a"], ["what", "an"]):
+        tokens = tokens[2:]  # "what a lousy day"
     words = [token.word for token in tokens]
     if not 0 < len(words) <= LONGEST or not behind or behind[0].word in _THEN or not _OBJECTS.isdisjoint(words):
         return False
+    head = words[: next((n for n, word in enumerate(words) if word in ("of", "with")), len(words))]
+    if words[0] in ("a", "an", "one", "some") or any(word in lexicon.VERB or word in DOINGS for word in head):
+        return False  # "a lighthouse, please", "we need a lighthouse"
     strange = any(word not in vocabulary() for word in words)
     plain = all(_names_nothing(tokens, n) for n in range(len(words)))
     again = any(word in ("of", "with") for word in words[1:]) and _named_again(tokens, behind)
@@ -154,8 +159,10 @@ def _named_again(told: Sequence[Token], behind: Sequence[Token]) -> bool:
     "two teams of three: (three white blocks ...)"."""
     words = [token.word for token in told]
     named = any(word in TESTS or word not in vocabulary() for word in words)
-    return named and (_NOT | PLACING).isdisjoint(words) and all(
-        _names_nothing(told, n) or told_again(words, n, behind) for n in range(len(words))
+    return (
+        named
+        and (_NOT | PLACING).isdisjoint(words)
+        and all(_names_nothing(told, n) or told_again(words, n, behind) for n in range(len(words)))
     )
 
 

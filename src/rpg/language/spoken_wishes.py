@@ -9,7 +9,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rpg.language import harmless, lexicon
+from rpg.language.smalltalk import is_strange
 from rpg.language.spoken_leads import BEGINS, DET, LONGEST, TESTS, heading, of_words, sets_off, subject, tells_nothing
+from rpg.language.telling import may_tell_how
 from rpg.language.tokens import Token
 from rpg.language.word_lists import listed
 
@@ -17,8 +19,10 @@ from rpg.language.word_lists import listed
 def led_by_form(tokens: Sequence[Token], commanded: bool) -> int:
     """How many of the first words of a text are such a lead. `commanded`: behind what it is comes a command, so that it
     may be like this at the start."""
-    ways = (heading, asked_of_it, purpose, dared, glad_if, favour, clause, announcement, ability)
-    return (0 if commanded else subject(tokens) or included(tokens)) or next((led for way in ways if (led := way(tokens))), 0)
+    ways = (heading, called_by_name, asked_of_it, purpose, dared, glad_if, favour, clause, announcement, ability)
+    return (0 if commanded else subject(tokens) or included(tokens)) or next(
+        (led for way in ways if (led := way(tokens))), 0
+    )
 
 
 _LIGHTLY = (
@@ -69,7 +73,8 @@ def ability(tokens: Sequence[Token]) -> int:
         can = next((len(x) for x in _CAN if tuple(words[at + 1 + who : at + 1 + who + len(x)]) == x), 0)
         if words[at] in ("if", "whether", "that", "how") and who and can:
             end = at + 1 + who + can
-            tried = not _TRIED.isdisjoint(words[:at]) and all(map(tells_nothing, words[:at]))
+            known = all(word == "it" or tells_nothing(word) for word in words[:at])
+            tried = not _TRIED.isdisjoint(words[:at]) and known
             return end if tried and of_words(tokens[:at]) and words[end] in lexicon.COMMANDS else 0
     return 0
 
@@ -84,9 +89,11 @@ def included(tokens: Sequence[Token]) -> int:
             break
     else:
         return 0
+    if ":" in words[at:]:
+        return 0  # it is so at the start
     begin = next((n for n in range(at - 2, -1, -1) if words[n] in _SOME), -1)
     ahead, sorts = words[: max(begin, 0)], words[begin + 1 : at - 1]
-    wished = not ahead or not _WISHED_FOR.isdisjoint(ahead)
+    wished = not ahead or (not _WISHED_FOR.isdisjoint(ahead) and _SAD.isdisjoint(ahead))
     plain = of_words(tokens[:at]) and all(map(tells_nothing, sorts)) and "had" not in ahead
     plain = plain and all(word in _WISHED_FOR | _THEM | harmless.DOINGS or tells_nothing(word) for word in ahead)
     figure = words[at] != "with" or words[at + 1] in BEGINS
@@ -96,13 +103,25 @@ def included(tokens: Sequence[Token]) -> int:
 def asked_of_it(tokens: Sequence[Token]) -> int:
     """How many of the first words ask whether who does it can: "can it (stack three blocks)?"."""
     words = [token.word for token in tokens[:4]]
-    asked = words[:1] != [] and words[0] in ("can", "could", "will", "would") and words[1:2] in (["it"], ["he"], ["she"])
+    asked = (
+        words[:1] != [] and words[0] in ("can", "could", "will", "would") and words[1:2] in (["it"], ["he"], ["she"])
+    )
     at = 2 + (words[2:3] == ["please"])
     commands = at < len(words) and words[at] in lexicon.COMMANDS - (lexicon.POSTURE - {"put"})
     return at if asked and commands else 0
 
 
-_INCLUDED = listed("task test scene scenario episode trial exercise example case variant problem challenge puzzle level")
+def called_by_name(tokens: Sequence[Token]) -> int:
+    """How many of the first words call somebody by a name that is not known: "Alexa, (put ...)"."""
+    words = [token.word for token in tokens]
+    named = words[1:2] == [","] and is_strange(words[0]) and tells_nothing(words[0]) and not may_tell_how(words[0])
+    commanded = len(words) > 3 and words[2] in lexicon.COMMANDS | {"please", "can", "could", "would", "will"}
+    return 2 if named and commanded and tokens[0].raw[:1].isupper() else 0
+
+
+_INCLUDED = listed(
+    "task test scene scenario episode trial exercise example case variant problem challenge puzzle level"
+)
 _IN_IT = (("in", "which"), ("where",), ("in", "that"), ("such", "that"), ("with",), ("which", "asks", "for"),
           ("that", "asks", "for"), ("consisting", "of"))  # fmt: skip
 _SOME = listed("a an another one some")
@@ -115,7 +134,7 @@ _WISHED_FOR = listed(
 _AGENTS = (
     *((det, who) for det in ("the", "a", "your", "our", "this")
       for who in ("robot", "arm", "agent", "policy", "model", "gripper", "system", "machine")),
-    ("you",), ("we",),
+    ("you",), ("we",), ("it",), ("he",), ("she",),
 )  # fmt: skip
 _CAN = (("can",), ("could",), ("is", "able", "to"), ("are", "able", "to"), ("manages", "to"), ("manage", "to"),
         ("knows", "how", "to"), ("know", "how", "to"))  # fmt: skip
@@ -141,6 +160,8 @@ _EAGER = (
     "behold the goal",
     "not to be fussy but", "not to be difficult but", "as far as i 'm concerned", "as far as i am concerned", "behold",
     "this time around", "this time round", "this time", "truth be told", "honest to god", "i challenge you to",
+    *(f"i {am} no {who} but" for am in ("'m", "am") for who in ("expert", "robot", "roboticist", "engineer", "pro")),
+    "correct me if i 'm wrong but", "correct me if i am wrong but",
     "hand on heart", "ideally", "hopefully", "honestly", "frankly", "seriously", "in an ideal world",
     "in a perfect world",
     "for what it 's worth", "for what it is worth", "here 's what i 'm thinking", "here is what i am thinking",
@@ -233,8 +254,17 @@ def _with_it(words: Sequence[str], begin: int) -> int:
 _PLEASING = listed("surprise impress delight wow dazzle amaze treat spoil cheer entertain honor honour astonish reward")
 _TRIES = tuple(
     (*lead, *said)
-    for lead in ((), ("maybe",), ("let", "us"), ("please",), ("just",), ("perhaps",), ("so", "let", "us"))
-    for said in (("try",), ("go", "with"), ("go", "for"), ("do",), ("attempt",))
+    for lead in (
+        (),
+        ("maybe",),
+        ("let", "us"),
+        ("please",),
+        ("just",),
+        ("perhaps",),
+        ("so", "let", "us"),
+        *((who, "could", *also) for who in ("you", "we", "they") for also in ((), ("also",))),
+    )
+    for said in (("try",), ("go", "with"), ("go", "for"), ("do",), ("attempt",), ("test",), ("try", "out"))
 )
 
 _SPEAKERS = listed("i we he she my our his her the")
@@ -293,7 +323,7 @@ def purpose(tokens: Sequence[Token]) -> int:
     if words[0] in ("in", "during"):
         return 0
     end = next((n for n in range(2, min(LONGEST + 1, len(words) - 1)) if _goes_on(words, n)), 0)
-    begun = words[0] == "for" or words[1] in DET
+    begun = words[0] == "for" or words[1] in DET | {"someone", "somebody"}
     kept = words[1] in ("keep", "make", "get") and not _GLAD.isdisjoint(words[:end])
     aimed = words[0] == "to" and (kept or words[1] not in lexicon.VERB) and words[end] in (",", ":")
     known = (begun or aimed) and of_words(tokens[:end]) and all(_of_an_aim(words, n) for n in range(1, end))
@@ -312,7 +342,8 @@ def for_what(tokens: Sequence[Token], at: int) -> bool:
     """Whether all that stands from here on says what it is for: "(stack them) for quality control", "as a warm-up
     exercise"; but not what has to be found, kept free or given for what is named behind "for"."""
     words = [token.word for token in tokens]
-    if words[at] == "as" and words[at + 1] in DET and (words[-1] in _TRIALS or _as_token(words[at + 2 :])):
+    named = words[-1] in _TRIALS | harmless.PEOPLE or _as_token(words[at + 2 :])
+    if words[at] == "as" and words[at + 1] in DET and named:
         return of_words(tokens[at:]) and all(word in _TRIED_SO or tells_nothing(word) for word in words[at + 1 :])
     if words[at] != "for" or len(words) < at + 2 or words[at + 1] in _SINGLY or not _FOR_IT.isdisjoint(words[:at]):
         return False

@@ -49,7 +49,8 @@ SHAPES = listed(
     "zig zag zigzags spirals hexagon pentagon octagon heptagon polygon rhombus arc arch semicircle crescent helix "
     "trapezoid trapezium parallelogram oval ellipse sphere dome cylinder cone chevron herringbone honeycomb lattice "
     "pentagram hexagram labyrinth maze serpentine horseshoe hourglass wedge whirl swirl coil vortex fishbone quincunx "
-    "meander asterisk cuboid prism tetrahedron boomerang squiggle wiggle curve wavy curvy curved"
+    "meander asterisk cuboid prism tetrahedron boomerang squiggle wiggle curve wavy curvy curved "
+    "topsy turvy askew lopsided"
 )
 """Names of shapes that blocks have in no task, but that would be asked for."""
 

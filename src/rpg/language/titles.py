@@ -191,7 +191,13 @@ def _tells_the_sort(token: Token) -> bool:
 
 def _strange(token: Token) -> bool:
     """A word that means nothing here, and is no slip for one that does."""
-    if token.kind != "word" or token.word in vocabulary() or len(token.word) < 3 or bends(token.word) or may_tell(token.word):
+    if (
+        token.kind != "word"
+        or token.word in vocabulary()
+        or len(token.word) < 3
+        or bends(token.word)
+        or may_tell(token.word)
+    ):
         return False
     return not slips_of(token.word)
 

@@ -61,6 +61,7 @@ _PIECES = re.compile(
   | (?P<number>\d+(?:\.\d+)?(?!\d*(?:\.\d+)?[A-Za-z]))
   | (?P<mixed>\d+(?:\.\d+)?(?=[A-Za-z]))
   | (?P<letters>[A-Za-z]+(?:['’][A-Za-z]+)?)
+  | (?P<owned>(?<=s)['’](?=\s+[a-z]))
   | (?P<ellipsis>…|\.\.\.+|(?<=\b\w)\.\.(?=\w\b))
   | (?P<arrow>[-–—=]+>|[→⇒➔➜]|>)
   | (?P<sign>[-+*/×÷=−–—])
@@ -226,6 +227,8 @@ def _tokens_of(kind: str, raw: str, span: Span) -> list[Token]:
             return [Token("punct", ";", raw, span)]
         case "aside":
             return [Token("punct", ",", raw, span)]
+        case "owned":  # "the kids' room"
+            return [Token("punct", "'s", raw, span)]
         case "ellipsis":
             return [Token("punct", "…", raw, span)]
         case "arrow":

@@ -56,9 +56,11 @@ def ordered_again(words: Sequence[str], behind: Sequence[Token]) -> bool:
 
 
 def _the_same(word: str, token: Token) -> bool:
-    for table in (lexicon.COLOR, lexicon.SIZE, lexicon.STRUCTURE):
+    for table in (lexicon.COLOR, lexicon.SIZE):
         if word in table:
-            return _sense(table.get(token.word)) == _sense(table[word])
+            return table.get(token.word) == table[word]
+    if word in lexicon.STRUCTURE:
+        return _figure(word) == _figure(token.word)
     return (
         word == token.word
         or any(word in kind and shown(token) for kind, shown in _KINDS)
@@ -67,11 +69,19 @@ def _the_same(word: str, token: Token) -> bool:
     )
 
 
-def _sense(said: object) -> object:
-    return said[0] if isinstance(said, tuple) else said
+def _figure(word: str) -> str:
+    """Which figure a word names; a line is a row as well."""
+    return _LINED.get(kind := lexicon.STRUCTURE.get(word, ("", False))[0], kind)
+
+
+_LINED = {"line": "row"}
 
 
 def _figures(behind: Sequence[Token]) -> int:
-    """How many figures are told one by one: "a row of ... and a row of ...", "one of ... and one of ..."."""
+    """How many figures are told: "three towers", "a row of ... and a row of ...", "one of ... and one of ..."."""
+    counted = next((one.many for one, other in pairwise(behind) if one.many > 1 and other.word in _SEVERAL), 0)
     named = sum(lexicon.STRUCTURE.get(token.word, ("", True))[1] is False for token in behind)
-    return named or sum(one.word == "one" and other.word == "of" for one, other in pairwise(behind))
+    return counted or named or sum(one.word == "one" and other.word == "of" for one, other in pairwise(behind))
+
+
+_SEVERAL = frozenset(word for word, (_, many) in lexicon.STRUCTURE.items() if many)

@@ -141,6 +141,9 @@ def _subject(tokens: list[Token], words: list[str], end: int, known: Collection[
             head = n + 1
         if words[n] not in _BEHIND | _THERE | _DETS and (may_tell(words[n]) or not words[n].isalpha()):
             break
+    aged = head > 2 and words[head - 1] in ("old", "olds") and words[head - 2] in ("year", "years", "-")
+    if aged and (number := next((n for n in range(head - 3, max(head - 6, -1), -1) if tokens[n].many), -1)) >= 0:
+        return number, head  # "my 4-year-old"
     begin = head
     while begin and head - begin < _LONGEST and _named(tokens[begin - 1], known, head=begin == head):
         begin -= 1

@@ -268,7 +268,7 @@ def _undisturbed() -> Iterator[None]:
 def _without_talk(
     told: tuple[list[Token], list[Stray]], plain: tuple[list[Token], list[str]] | None
 ) -> Iterator[_Shorter]:
-    """A text, or what is left of it without the remarks, without a clause that can only be talk, or all such clauses."""
+    """A text, or what its remarks leave of it, without a clause that can only be talk, or without all such clauses."""
     tokens, remarks = plain or (told[0], [])
     ways = [([rest], [note]) for rest, note in islice(clauses_left_out(tokens), MOST)]
     if ways:

@@ -35,7 +35,24 @@ if TYPE_CHECKING:
 else:
     (noun_phrase,) = later(__name__, "rpg.language.grammar.things.nouns", "noun_phrase")
 
-_IS = ("is", "are", "goes", "lies", "stands", "sits", "must go", "should go", "should be", "must be", "has to be", "shall be", "is to be", "being", "be", "needs to be")
+_IS = (
+    "is",
+    "are",
+    "goes",
+    "lies",
+    "stands",
+    "sits",
+    "must go",
+    "should go",
+    "should be",
+    "must be",
+    "has to be",
+    "shall be",
+    "is to be",
+    "being",
+    "be",
+    "needs to be",
+)
 _FLANKED = ("flanked on both sides by", "flanked by", "flanked left and right by", "flanked on either side by",
             "flanked on each side by", "flanked on the left and right by", "flanked with")  # fmt: skip
 _FLANK = ("flank", "should flank", "must flank", "are flanking", "are to flank", "have to flank", "enclose", "frame")
@@ -53,8 +70,22 @@ _EACH_SIDE = tuple(f"on {sides}" for sides in ("each side", "each of its sides",
 _AROUND = ("around it", "all around it", "round it", "surrounding it", "placed around it", "arranged around it",
            "standing around it", "around that one")  # fmt: skip
 _AROUND = tuple(f"{how}{around}" for how in ("", "directly ", "immediately ", "right ") for around in _AROUND)
-_IN_SHAPE = ("in a", ", in a", "as a", ", as a", "forming a", ", forming a", "like a", ", like a", "to form a", "so that they form a",
-             ", so that they form a", "so that it forms a", "so that all nine form a", ", so that all nine form a")
+_IN_SHAPE = (
+    "in a",
+    ", in a",
+    "as a",
+    ", as a",
+    "forming a",
+    ", forming a",
+    "like a",
+    ", like a",
+    "to form a",
+    "so that they form a",
+    ", so that they form a",
+    "so that it forms a",
+    "so that all nine form a",
+    ", so that all nine form a",
+)
 _SHAPES = {"circle": "circle", "ring": "circle", "square": "square"}
 _MIDDLE = ("in the middle", "in the center", "at the center", "to the middle", "to the center", "at the middle")
 _JOINTS = tuple(f"{joint}{put}" for joint in (", and", "and", ", with", ",", "with", "and then", ", then")
@@ -183,7 +214,9 @@ def _kept_inside(p: Parser, i: int) -> Results[Clause]:
 
 
 def _there(hub: Noun, place: In) -> Clause:
-    return Clause(verb="be", theme=replace(hub, det="the", amount=None), adjuncts=(place,), mode="goal", span=place.span)
+    return Clause(
+        verb="be", theme=replace(hub, det="the", amount=None), adjuncts=(place,), mode="goal", span=place.span
+    )
 
 
 def _so(whole: Clause, told: Clause) -> Clause:

@@ -57,6 +57,7 @@ from rpg.language.grammar.rows.result_told import result_told
 from rpg.language.grammar.rows.reworded import REWORDED, REWORDED_AT_ONCE
 from rpg.language.grammar.rows.roundabout import ROUNDABOUT, ROUNDABOUT_AT_ONCE
 from rpg.language.grammar.rows.row_places import told_by_places
+from rpg.language.grammar.rows.said_again import SAID_AGAIN
 from rpg.language.grammar.rows.said_short import SHORT, SHORT_AT_ONCE
 from rpg.language.grammar.rows.separately import ONE_TOPPED, SEPARATELY
 from rpg.language.grammar.rows.sided import SIDED_AT_ONCE, UTMOST_TOLD
@@ -145,6 +146,7 @@ _OF_ALL = (
 )
 """The rows of every sentence."""
 _OF_THE_UNREAD = (
+    *SAID_AGAIN,
     *PLAIN_TALK,
     *ORDERED,
     *WRITTEN,

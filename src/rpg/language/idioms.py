@@ -239,6 +239,11 @@ _WHOLE = (
     "like_it|free|not_too_busy|not_busy|up_for_it|able|around|the_time|nothing_better_to_do please|today|again?",
     "when|whenever you can|like|have_time|please|may",
     "if i|we may|might|could|dare|can ask|say_so|bother_you|be_so_bold|ask_you|trouble_you?",
+    "if i|we may|might|could|dare|can ask|wish for something slightly|a_bit|a_little|even|rather|really? "
+    "bigger|larger|harder|fancier|special|more_difficult|more_complicated|more_ambitious|different|new",
+    "it|this|that|today is|'s? my|our? very? first|second|third|last day|week|time|try|attempt|shift here|today|"
+    "at_work|in_the_lab|on_the_job|at_this_job|with_you|with_a_robot|with_robots?",
+    "one of these|them|those|the_things|the_blocks|the_cubes is not like the_others|the_other|the_rest|the_other_ones",
     "if you would|could|will|can? please|be_so_kind|be_so_good|be_so_nice|be_kind_enough|do_not_mind|would_not_mind|"
     "do_not_mind_me_asking|ask_me",
     "if that|it|this is|'s okay|ok|alright|fine|all_right|possible|convenient|no_bother|no_trouble|not_a_bother|"

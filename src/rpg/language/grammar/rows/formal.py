@@ -23,6 +23,7 @@ from rpg.language.grammar.rows.contrasts import CONTRASTS, CONTRASTS_ACROSS
 from rpg.language.grammar.rows.corners import corners_again
 from rpg.language.grammar.rows.counts import COUNTED, SHARED_OUT
 from rpg.language.grammar.rows.distances import DISTANCES, DISTANCES_AT_ONCE, SPACED_AT_ONCE
+from rpg.language.grammar.rows.each_side import EACH_SIDE
 from rpg.language.grammar.rows.everyday import EVERYDAY, EVERYDAY_AT_ONCE
 from rpg.language.grammar.rows.faced import FACED, FACED_AT_ONCE
 from rpg.language.grammar.rows.figures import BOARDS, FIGURES
@@ -92,6 +93,7 @@ _OF_ALL = (
     *PLAIN_TALK_AT_ONCE,
     *ORDER_MATTERS_AT_ONCE,
     *LABELS_THERE,
+    *EACH_SIDE,
     *ORDERED_AT_ONCE,
     *WRITTEN_AT_ONCE,
     *FACED_AT_ONCE,

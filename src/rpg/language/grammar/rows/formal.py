@@ -70,6 +70,7 @@ from rpg.language.grammar.rows.specified import REQUIRED, REQUIRED_AT_ONCE, SPEC
 from rpg.language.grammar.rows.stairs import STAIRS, of_the_figure
 from rpg.language.grammar.rows.sums import SUMS_AT_ONCE
 from rpg.language.grammar.rows.swapped_over import swapped_over
+from rpg.language.grammar.rows.task_told import TASK_TOLD
 from rpg.language.grammar.rows.times import BEFORE_IT, OFF_FIRST
 from rpg.language.grammar.rows.told_once import TOLD_ONCE
 from rpg.language.grammar.rows.tower_orders import UPRIGHT_AT_ONCE, UPWARD, UPWARD_AT_ONCE
@@ -186,6 +187,7 @@ _OF_THE_UNREAD = (
     *PATTERNS_LINED,
     *WISHED_ALOUD,
     *SPAWNED,
+    *TASK_TOLD,
 )
 """The rows of a sentence that cannot be read as it stands."""
 AT_ONCE, UNREAD, OVER_ALL = (

@@ -273,6 +273,10 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 TOWERS: tuple[Turn, ...] = (
+    (f"^(.*\\b(?:blocks|cubes|ones|letters|digits|them|they|\\w)) are (?:all )?(?:one|an?)(?: single| straight)? "
+     f"({LINE})$", "{1} form one {2}"),
+    (f"^(.*\\b(?:blocks|cubes|ones|letters|digits|them|they|\\w)) ({MUST}) (?:all )?be (?:one|an?)(?: single| "
+     f"straight)? ({LINE})$", "{1} {2} form one {3}"),
     ("\\bon the table , (?:unstacked|not stacked)$", "on the table"),
     ("(?: ,)? so that no two touch$", ". no two of them touch"),
     (f"^(.*\\b(?:{TOWER})\\b.*?) (is|goes) (?:down|below)(?= ,| and|$)", "{1} is at the bottom"),

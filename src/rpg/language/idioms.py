@@ -119,6 +119,10 @@ _WHOLE = (
     "i|we? would|'d|just|only|am|are? like|love|need|want|fancy|after|looking_for to_see|to_have|to_get|to_try? "
     "something|sth|smth|smt really|very|quite|super? nice|new|special|beautiful|fun|cool|lovely|interesting|simple|"
     "easy|quick|basic|straightforward|classic please|for_now|first|here|today|now|from_you?",
+    "ok|okay|so|and|well? now|next|then|first? for|let_us_do|let_us_try|lets_do|do|try|comes? something|sth|smth|smt "
+    "a_bit|slightly|a_little|even|much|really? harder|trickier|easier|easy|simple|different|bigger|tricky|hard|"
+    "more_fun|fancier|more_difficult|more_interesting first|now|please|for_you|next?",
+    "just|only|simply? wondering|curious|asking|checking",
     "pay close|good|full? attention please|now|everybody|robot|here?",
     "attention attention|please|now|everybody?",
     "listen|concentrate|focus|relax|attention|quiet carefully|well|please|everybody|everyone|all|to_me|now?",

@@ -120,6 +120,10 @@ _WHOLE = (
     "i|we? would|'d|just|only|am|are? like|love|need|want|fancy|after|looking_for to_see|to_have|to_get|to_try? "
     "something|sth|smth|smt really|very|quite|super? nice|new|special|beautiful|fun|cool|lovely|interesting|simple|"
     "easy|quick|basic|straightforward|classic please|for_now|first|here|today|now|from_you?",
+    "ok|okay|so|and|well? now|next|then|first? for|let_us_do|let_us_try|lets_do|do|try|comes? something|sth|smth|smt "
+    "a_bit|slightly|a_little|even|much|really? harder|trickier|easier|easy|simple|different|bigger|tricky|hard|"
+    "more_fun|fancier|more_difficult|more_interesting first|now|please|for_you|next?",
+    "just|only|simply? wondering|curious|asking|checking",
     "pay close|good|full? attention please|now|everybody|robot|here?",
     "attention attention|please|now|everybody?",
     "listen|concentrate|focus|relax|attention|quiet carefully|well|please|everybody|everyone|all|to_me|now?",
@@ -240,6 +244,11 @@ _WHOLE = (
     "like_it|free|not_too_busy|not_busy|up_for_it|able|around|the_time|nothing_better_to_do please|today|again?",
     "when|whenever you can|like|have_time|please|may",
     "if i|we may|might|could|dare|can ask|say_so|bother_you|be_so_bold|ask_you|trouble_you?",
+    "if i|we may|might|could|dare|can ask|wish for something slightly|a_bit|a_little|even|rather|really? "
+    "bigger|larger|harder|fancier|special|more_difficult|more_complicated|more_ambitious|different|new",
+    "it|this|that|today is|'s? my|our? very? first|second|third|last day|week|time|try|attempt|shift here|today|"
+    "at_work|in_the_lab|on_the_job|at_this_job|with_you|with_a_robot|with_robots?",
+    "one of these|them|those|the_things|the_blocks|the_cubes is not like the_others|the_other|the_rest|the_other_ones",
     "if you would|could|will|can? please|be_so_kind|be_so_good|be_so_nice|be_kind_enough|do_not_mind|would_not_mind|"
     "do_not_mind_me_asking|ask_me",
     "if that|it|this is|'s okay|ok|alright|fine|all_right|possible|convenient|no_bother|no_trouble|not_a_bother|"

@@ -108,7 +108,8 @@ def tokenize(text: str) -> tuple[list[Token], list[Stray]]:
         raw, end = found.group(), found.end()
         if found.lastgroup == "smile":  # in brackets it is a colon at their end
             inside = text.count("(", 0, at) > text.count(")", 0, at)
-            tokens += [Token("punct", raw[0], raw[0], (at, at + 1))] if inside else []
+            mark = raw[0] if inside else _parted_by(tokens, text[end:].lstrip()[:1])
+            tokens += [Token("punct", mark, mark, (at, at + 1))] if mark else []
             at = at + 1 if inside else end
             continue
         if found.lastgroup == "line":
@@ -124,6 +125,13 @@ def tokenize(text: str) -> tuple[list[Token], list[Stray]]:
         at = end
     tokens = [replace(token, raw=steps.get(token.span[0], token.raw)) for token in tokens] if steps else tokens
     return _ordinals(_inline(tokens)), strays
+
+
+def _parted_by(tokens: list[Token], after: str) -> str:
+    """What stands for a smile between words: a stop where a sentence begins behind it, else a comma."""
+    if not tokens or tokens[-1].kind == "punct" or not after.isalpha():
+        return ""
+    return "." if after.isupper() else ","
 
 
 _LISTS = frozenset({"blocks", "cubes", "objects", "things", "inventory", "materials", "material", "items", "bricks",

@@ -41,7 +41,10 @@ _LYING += "|are_put|have_been_placed|has_been_placed|have_been_put|has_been_put|
 _SEE = "have|see|find|get|have_got|can_see|will_find|can_use|may_use|will_see|start_with|work_with|are_given|can_find|"
 _SEE += "will_need|need|will_have|will_get|got|will_use|start_out_with|begin_with|use"
 _ONLY = "only|just|exactly|also|now?"
-_SCENE = "the|our|this|your scene|inventory|set|kit|box|task|material|workspace|collection|setup|setting|stock"
+_SCENE = (
+    "the|our|this|your scene|inventory|set|kit|box|task|material|workspace|collection|setup|setting|stock|test|"
+    "scenario|experiment|benchmark|environment"
+)
 _AHEAD = Patterns(
     f"there is|are {_ONLY} on_the_table? {_ONLY}",
     f"here is|are {_ONLY}",

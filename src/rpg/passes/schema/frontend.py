@@ -28,6 +28,7 @@ from rpg.language.grammar.talk.numbers_told import digits_named
 from rpg.language.grammar.talk.one_by_one import one_by_one
 from rpg.language.grammar.talk.one_or_other import one_or_the_other
 from rpg.language.grammar.talk.shape_last import shape_ahead
+from rpg.language.grammar.talk.that_is import that_is
 from rpg.language.grammar.talk.written_rows import rows_in_words
 from rpg.language.introduced import with_names
 from rpg.language.inventories import stocks_ahead, told_behind, told_plainly
@@ -306,7 +307,7 @@ _PLAINER: tuple[Callable[[list[Token]], tuple[list[Token], list[str]]], ...] = (
 """What is put in plain words before the words are looked up, each with notes of what it meant."""
 _OTHERWISE: tuple[Callable[[list[Token]], list[Token] | None], ...] = (
     shape_ahead, one_by_one, one_or_the_other, digits_named, stock_last,
-    line_told_behind,
+    line_told_behind, that_is,
 )  # fmt: skip
 """How what makes no sense as it stands is told again, if it is of such a kind."""
 _STRAY_HINTS = {

@@ -312,7 +312,7 @@ def _side_of_it(said: Said) -> None:
 _SPACED = re.compile(r"\b(?:cm|mm|inches) apart\b")
 _IN_LINE = re.compile(
     f"\\b(?:{LINE}s?|lined?|aligned|spac\\w+|neighbou?rs?|neighbou?ring|next|adjacent|side by side|queue|from left|one "
-    "after|in order|gaps?)\\b"
+    "after|in order|gaps?|words?|spell\\w*)\\b"
 )
 
 

@@ -56,12 +56,13 @@ _WHEN = "(?:when|once|if|as soon as|if and only if|iff)"
 _THERE = (
     "(?:(?:is|are|stands?|sits?|lies?|has been|have been) )(?:all )?(?:there|in place|in position|placed|done|"
     "(?:in|at|on) (?:its|their) (?:places?|spots?|positions?|corners?|patch|patches|mats?|targets?)|"
-    "like (?:this|that)|so|where (?:it|they) (?:belongs?|should be)|fulfilled|met)(?: at the end| together)?"
+    "like (?:this|that)|so|where (?:it|they) (?:belongs?|should be)|fulfilled|met|filled|taken|occupied)"
+    "(?: at the end| together)?"
 )
 _SO_MANY = f"(?P<n>{'|'.join(sorted(lexicon.NUMBER))}|\\d+)"
 _THINGS = (
     f"(?P<all>all|both|everything|it)(?: {_SO_MANY})?(?: of (?:them|these|those|it))?"
-    "(?: (?:the )?(?:blocks|cubes|conditions))?"
+    "(?: (?:the )?(?:blocks|cubes|corners|conditions))?"
 )
 
 SAID_OF_SUCCESS: tuple[tuple[str, Check], ...] = (

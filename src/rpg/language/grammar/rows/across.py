@@ -64,6 +64,7 @@ ACROSS: tuple[Turn, ...] = (
      "exactly {2} of them must form a {1} . "),
     *WRONG_WAY_ROUND,
     *WORDS_IN_ROWS,
+    ("\\b(in two rows) \\. (?=[^.]* in the (?:back|front|far|near|first|second) row\\b)", "{1} : "),
     # "one mat is blue, the other is white"
     (f"^(.*\\btwo {PATCHES}) \\. {_of_two(PATCH, PATCHES)}", "{1} , one is {2} , the other is {3}"),
     (f"^(.*\\. )?{_of_two(PATCH, PATCHES)}", "{1} there are a {2} patch and a {3} patch"),

@@ -3,6 +3,7 @@ two is on the mat, but one of them has to be", "exactly one of the following is 
 
 from __future__ import annotations
 
+from rpg.language.grammar.rows.said_short import PLACE
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import FEW, MANY, MUST
 
@@ -22,6 +23,11 @@ _OF = "of (?:the following|these|those|the two|two|the following two|these two)(
 _HOLDS = (f"(?:(?:is|are|{MUST} be|can be|may be)(?: (?:true|the case|so|met|fulfilled|satisfied|right|correct))|"
           f"holds|applies|(?:{MUST}|may|can) (?:hold|apply|be))(?: (?:in|at) the end| finally)?")  # fmt: skip
 _THIS = "((?:(?! or | ?,).)+?)"
+_SUM = "[^ ]*=[^ ]*"
+_PASS = (
+    "(?:are|would be|will be) (?:both )?(?:fine|ok|okay|alright|good|accepted|acceptable|allowed|valid|correct|"
+    "possible)(?: (?:with|by|for) (?:me|us))?"
+)
 _OR = "(?: ,)? or"
 """A way in which it may be, and what stands ahead of the last one."""
 
@@ -41,6 +47,8 @@ ALTERNATIVES: tuple[Turn, ...] = (
     ("^(?:i |we )?(?:will |would )?(?:accept|allow|count|take) (?:either )?(an? .+ or an? .+?)(?: as (?:a |the )?"
      "(?:solution|result|success|goal|done|solved|right|correct))?$", "build {1}"),
     ("^(?:you )?(?:may|can|could) (?:build|make) (?:either )?(an? .+ or an? .+)$", "build {1}"),
+    (f"^(?:both )?({_SUM}) and ({_SUM}) {_PASS}(?=$| [,.;])", "{1} or {2}"),
+    (f"^both ([^,]+? {PLACE} [^,]+?) and ([^,]+? {PLACE} [^,]+?) {_PASS}$", "{1} or {2}"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
 WORDS = ("accept allow count following statements conditions true case met fulfilled satisfied applies apply holds "

@@ -24,6 +24,7 @@ from rpg.language.grammar.rows.contrasts import CONTRASTS, CONTRASTS_ACROSS
 from rpg.language.grammar.rows.corners import corners_again
 from rpg.language.grammar.rows.counts import COUNTED, SHARED_OUT
 from rpg.language.grammar.rows.distances import DISTANCES, DISTANCES_AT_ONCE, SPACED_AT_ONCE
+from rpg.language.grammar.rows.each_side import EACH_SIDE
 from rpg.language.grammar.rows.everyday import EVERYDAY, EVERYDAY_AT_ONCE
 from rpg.language.grammar.rows.faced import FACED, FACED_AT_ONCE
 from rpg.language.grammar.rows.figures import BOARDS, FIGURES
@@ -59,6 +60,7 @@ from rpg.language.grammar.rows.result_told import result_told
 from rpg.language.grammar.rows.reworded import REWORDED, REWORDED_AT_ONCE
 from rpg.language.grammar.rows.roundabout import ROUNDABOUT, ROUNDABOUT_AT_ONCE
 from rpg.language.grammar.rows.row_places import told_by_places
+from rpg.language.grammar.rows.said_again import SAID_AGAIN
 from rpg.language.grammar.rows.said_short import SHORT, SHORT_AT_ONCE
 from rpg.language.grammar.rows.separately import ONE_TOPPED, SEPARATELY
 from rpg.language.grammar.rows.sided import SIDED_AT_ONCE, UTMOST_TOLD
@@ -70,6 +72,7 @@ from rpg.language.grammar.rows.specified import REQUIRED, REQUIRED_AT_ONCE, SPEC
 from rpg.language.grammar.rows.stairs import STAIRS, of_the_figure
 from rpg.language.grammar.rows.sums import SUMS_AT_ONCE
 from rpg.language.grammar.rows.swapped_over import swapped_over
+from rpg.language.grammar.rows.task_told import TASK_TOLD
 from rpg.language.grammar.rows.times import BEFORE_IT, OFF_FIRST
 from rpg.language.grammar.rows.told_once import TOLD_ONCE
 from rpg.language.grammar.rows.tower_orders import UPRIGHT_AT_ONCE, UPWARD, UPWARD_AT_ONCE
@@ -93,6 +96,7 @@ _OF_ALL = (
     *PLAIN_TALK_AT_ONCE,
     *ORDER_MATTERS_AT_ONCE,
     *LABELS_THERE,
+    *EACH_SIDE,
     *ORDERED_AT_ONCE,
     *WRITTEN_AT_ONCE,
     *FACED_AT_ONCE,
@@ -147,6 +151,7 @@ _OF_ALL = (
 )
 """The rows of every sentence."""
 _OF_THE_UNREAD = (
+    *SAID_AGAIN,
     *PLAIN_TALK,
     *ORDERED,
     *WRITTEN,
@@ -185,6 +190,7 @@ _OF_THE_UNREAD = (
     *WISHED_ALOUD,
     *SPAWNED,
     *RAINBOW_SPANS,
+    *TASK_TOLD,
 )
 """The rows of a sentence that cannot be read as it stands."""
 AT_ONCE, UNREAD, OVER_ALL = (

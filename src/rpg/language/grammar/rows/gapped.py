@@ -5,7 +5,19 @@ from __future__ import annotations
 
 from rpg.language.grammar.rows.said_short import ASIDE, BLOCK, IS, LABEL, PLACE, PUT, THING, THINGS
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import AND, COLOR, FEW, LENGTH, LIES, LINE, MUST, PATCH, WAY
+from rpg.language.grammar.rows.vocabulary import (
+    AND,
+    COLOR,
+    CUBE,
+    FEW,
+    LENGTH,
+    LIES,
+    LINE,
+    MANY,
+    MUST,
+    PATCH,
+    WAY,
+)  # fmt: skip
 
 _MARK = f"(?:(?:on|onto|in|into|inside) (?:the|an?|my|that|this) (?:\\w+ ){{0,2}}(?:{PATCH}|table|half|corner))"
 _AFTER = "(?:only then|only after that|only afterwards|after (?:it|that|this)|only after it)"
@@ -107,6 +119,8 @@ GAPPED_AT_ONCE: tuple[Turn, ...] = (
 
 
 GAPPED: tuple[Turn, ...] = (
+    (f"\\b(?:exactly|precisely) (?=(?:an?|{MANY}) {CUBE}(?: 's)? (?:widths?|lengths?|edges?)\\b)", ""),
+    (f"\\b(gap of) (?:exactly|precisely) (?=(?:an?|{MANY}) {CUBE})", "{1} "),
     # a second step that leaves out where
     (f"^(?:first ,? ?)?({THING}) {IS} ({_MARK})(?: first)?{AND}? ?(?:{_AFTER} ({THING}){_TOO}?|({THING}) only after "
      "(?:it|that|this|then))$", "first {1} must be {2} , then {3} {4} must be {2}"),

@@ -29,6 +29,8 @@ KEPT_AT_ONCE: tuple[Turn, ...] = (
     (f"^((?:put|place|set|lay|move|bring) {THING}) there (?:too|as well|also)$", "{1} there . both must be there"),
 )  # fmt: skip
 KEPT_AND_MOVED: tuple[Turn, ...] = (
+    (f"\\b({MUST}) (?:stay|remain|be kept|be left) not (moved|touched|shifted|displaced)\\b", "{1} not be {2}"),
+    ("\\b(?:stays?|remains?|is left|is kept) not (moved|touched|shifted|displaced)\\b", "must not be {1}"),
     # who may move
     (f"^({THINGS}) ({_MAY}) (be (?:moved|turned|rotated|flipped|touched)|move)(?: ,| and| but| , and| , but)+ "
      f"({THINGS}) {_MAY} not(?: be)?$", "{1} {2} {3} . {4} must not {3}"),

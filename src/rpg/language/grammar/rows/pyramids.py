@@ -39,6 +39,7 @@ _SIZED = "(\\d+x\\d+|(?:\\d+|two|three) by (?:\\d+|two|three))"
 _ARE = f"(?:is|are|{MUST} be)"
 
 PYRAMIDS: tuple[Turn, ...] = (
+    ("\\b(?:planar|two - dimensional|2d|flat) (?=(?:vertical|upright|standing) (?:pyramid|wall)\\b)", ""),
     ("\\bpyramid (?:- )?(?:like|shaped) (?:stack|pile|figure|shape|structure|tower|heap)\\b", "pyramid"),
     ("\\b(pyramid) on (an? base of)\\b", "{1} with {2}"),
     (f"{_HEAD} ({MANY}){N}{_BOTTOM}{_AND}(?: always)? one{N} (?:fewer|less){N}(?: (?:in|on|for|with|at))? (?:each|"

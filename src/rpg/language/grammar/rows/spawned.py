@@ -11,6 +11,8 @@ _THROWN = "(?:thrown|dumped|tipped|dropped|tossed|poured|emptied)(?: out| togeth
 _ON_A_HEAP = f"(?:in|into|on|onto) (?:an?|one) (?:single |big |large |loose |messy )?{HEAP}"
 
 SPAWNED: tuple[Turn, ...] = (
+    ("\\b(lies?|lying|stands?|sits?) (?:around|about|there)(?: on the table)? (?:randomly|at random|loosely|anywhere)"
+     "(?=$| ,| and| but)", "{1} around"),
     (f"\\bspawns? {_SPOT}", "start "),
     (f"\\b(?:is|are|gets?|will be) {_MADE} {_SPOT}", "start "),
     (f"\\b(?:is|are|was|were|has been|have been|gets?) {_THROWN} {_ON_A_HEAP}\\b", "start in a heap"),

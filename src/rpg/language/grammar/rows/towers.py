@@ -4,7 +4,7 @@ ones in one tower, all blue ones in another", as rows that tell each of them pla
 from __future__ import annotations
 
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, FEW, LINE, MANY, MUST, TOWER
+from rpg.language.grammar.rows.vocabulary import COLOR, FEW, LINE, MANY, MUST, TOWER, WAY
 
 _BLOCKS = "(?:blocks|cubes|ones)"
 _TOWERS = "(?:towers|stacks)"
@@ -43,7 +43,14 @@ _CHANGING = (
 _IS = f"(?:is|are|{MUST} be)"
 _SPOT = "(?:to the left of|to the right of|left of|right of|in front of|behind|next to|beside)"
 
+_LABELS = "\\S(?:(?: ,| and| , and)? \\S)+"
+
 TOWERS_AT_ONCE: tuple[Turn, ...] = (
+    (f"^(make|build|form|create|stack) (?:from|out of) (?:the )?(letters|digits|blocks|cubes) ({_LABELS})(?: ,)? "
+     f"(an?|one) ((?:vertical |single |tall |upright )?{LINE})\\b", "{1} {4} {5} from the {2} {3}"),
+    (f"(?: ,)? to (?:read|spell) ({WAY})(?: the word)? (\\S+)$", " that reads {2} {1}"),
+    (f"\\b((?:at the bottom|lowest) ,? ?then (?:an? |the )?{COLOR}(?:(?: ,| and)+ (?:then )?{COLOR})*?)(?: ,)? and "
+     f"({COLOR}) (?:at|on) (?:the )?(?:very )?top\\b", "{1} , then {2} on top"),
     # what lies on each of several that have their blocks
     (
         f"^(?:the )?({MANY} {COLOR} {_TOWERS} of {MANY}(?: {_BLOCKS})?) (?:(?:{MUST} )?each (?:have|get)|"
@@ -266,6 +273,10 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 TOWERS: tuple[Turn, ...] = (
+    (f"^(.*\\b(?:blocks|cubes|ones|letters|digits|them|they|\\w)) are (?:all )?(?:one|an?)(?: single| straight)? "
+     f"({LINE})$", "{1} form one {2}"),
+    (f"^(.*\\b(?:blocks|cubes|ones|letters|digits|them|they|\\w)) ({MUST}) (?:all )?be (?:one|an?)(?: single| "
+     f"straight)? ({LINE})$", "{1} {2} form one {3}"),
     ("\\bon the table , (?:unstacked|not stacked)$", "on the table"),
     ("(?: ,)? so that no two touch$", ". no two of them touch"),
     (f"^(.*\\b(?:{TOWER})\\b.*?) (is|goes) (?:down|below)(?= ,| and|$)", "{1} is at the bottom"),

@@ -8,7 +8,7 @@ from dataclasses import replace
 from itertools import permutations
 
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, FEW, MANY, MUST
+from rpg.language.grammar.rows.vocabulary import COLOR, FEW, MANY, MUST, WAY
 from rpg.language.tokens import Token
 
 _WORD = f"((?!(?:the|an?|them|it|{FEW})\\b)[a-z]{{2,}})"
@@ -63,7 +63,21 @@ _DONE = "(?:(?:put|place|set|arrange|lay|make|build|form|line up) )?"
 _ALSO = "(?: ,| and| , and)?"
 _HAS = f"(?:of|with|made of|made from|has|is|are|contains|consists of|being|{MUST} (?:be|have|contain|consist of))"
 
+
+def _doubled(many: int) -> Turn:
+    """ "A row of red and blue from left to right, and on top of it a second row with the same colors in the same
+    order": a wall of two."""
+    listed = _ALSO.join([f" ({COLOR})"] * many).strip()
+    colors = " , ".join(f"{{{n}}}" for n in range(1, many + 1))
+    return (
+        f"\\ban? row of {listed}(?: ,)? ({WAY}){_ALSO} on top of it (?:an?|a second|another) row (?:with|of|in) "
+        "the same colors(?: ,)?(?: and)? in the same order$",
+        f"a wall of 2 rows and {many} columns , each column in one color : {colors} {{{many + 1}}}",
+    )
+
+
 TWO_ROWS_AT_ONCE: tuple[Turn, ...] = (
+    *map(_doubled, (2, 3, 4, 5, 6)),
     # words
     (f"^{_TWO} in two rows{_AND}\\1 in the {_END} (?:one|row){_AND}\\2 in the {_END} (?:one|row)$",
      "write {1} in the {3} row and {2} in the {4} row"),

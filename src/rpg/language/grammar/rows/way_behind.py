@@ -4,7 +4,7 @@ and patterns that are lines by that: "a pattern of red, blue, red from left to r
 from __future__ import annotations
 
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import WAY
+from rpg.language.grammar.rows.vocabulary import COLOR, WAY
 
 _PLEASE = "(?:please |just |(?:can|could|would|will) (?:you|the robot|somebody|we) |let us )*"
 _LAID = (
@@ -22,6 +22,8 @@ _LISTED = f"(?!first\\b){_PARTED}*\\b{_LINE}\\b{_PARTED}*(?: ,|\\band) {_PARTED}
 _MAKE = "(?:(?:make|build|lay(?: out)?|form|show|create|do|put|we make|here is|this is|there is|it is|i want) )?"
 
 WAY_BEHIND: tuple[Turn, ...] = (
+    (f"((?:^|(?<=\\. ))[^.?!;:,]*\\ba (?:\\w+ )?rainbow (?:row|line|column|tower|stack)) [.!] (?=(?:the )?{COLOR} (?:"
+     "at|on|in|first|then|,))", "{1} : "),
     (f"((?:^|(?<=\\. )){_LISTED}) [.!?;] (?:{_LAID}|{_RUNS})( in (?:a|one) (?:row|line|column|tower|stack))? ({WAY})"
      "(?: please)?(?= [.!?;]|$)", "{1} , {2} {3}"),
 )  # fmt: skip

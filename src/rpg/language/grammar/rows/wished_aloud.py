@@ -16,10 +16,27 @@ _JUST = "(?: just| now| today| currently| all| both)?"
 _THING = f"(?=(?:an?|the|both|all|one|it|up|{MANY}|{COLOR}|\\S|\\S\\S\\S+) (?!(?:demo|video|film|game|show)\\b))"
 _DO = "(?:build|make|stack|put|place|lay|spell|write|sort|arrange|line up|form|set up|create|do)"
 _WHOM = "(?:me|us|him|her|them|(?:my|our|the|his|her|their|a) (?:little |young |dear )?\\w+)"
+_FIGURE = "tower|stack|row|line|column|pyramid|wall|grid|square|circle|ring|staircase|triangle|rectangle"
+_WHOSE = "(?:his|her|my|our|their|its)"
+_NAME = (
+    "((?!(?:in|with|on|to|and|well|right|correctly|nicely|left|from|the|that|like|as|properly|easily|is|are|goes|"
+    "alphabetically|backwards|spelled|written|shown|out|laid)\\b)[a-z]{2,})"
+)
 
 WISHED_ALOUD: tuple[Turn, ...] = (
     *((f"^{_NOW}(?:we|i) (?:are|am){_JUST} {doing} {_THING}", f"{do} ") for doing, do in _DOING.items()),
     (f"^(?:please )?(?:(?:can|could|will|would) (?:you|the robot|somebody|someone)(?: please)? )?help {_WHOM} "
      f"(?:to |with |in )?(?={_DO} )", ""),
+    (f"^(.*\\b(?:have|got|are) (?:these |those |the )?{MANY} (?:\\w+ )?(?:blocks|cubes|bricks|letters|digits)) right ,",
+     "{1} ,"),
+    (f"\\b(?:manage|handle|pull off) (?=(?:an?|{MANY}|\\d+x\\d+) (?:\\w+ )*(?:{_FIGURE})s?\\b)", "build "),
+    (f"^(?:i|we) (?:only|merely) (need|want|would like|am after) (?=(?:an?|{MANY}) )", "i {1} "),
+    (f"^(?:please )?demonstrate (?=(?:an?|{MANY}) )", "build "),
+    ("^(?:looking|searching|hoping|asking) for (?=(?:an?|one) )", "i want "),
+    (f"^((?:an?|one|any) (?:\\w+ )?(?:{_FIGURE})\\b[^,]*|any {MANY} (?:blocks|cubes|ones) [^,]*?) (?:will do|(?:is|are|"
+     "would be|will be) (?:just |perfectly )?(?:fine|ok|okay|good|enough|perfect|sufficient))$", "i want {1}"),
+    (f"^(?:\\w+ )*?(?:wants?|would like|likes?|needs?|asks for|asked for) (?:to (?:see|have|read) )?{_WHOSE} (?:first |"
+     f"own )?name(?: ,)? {_NAME}(?: ,)?(?: spelled| written| out| shown| laid)*(?: (?:in|with|from|out of|using) "
+     "(?:the |letter )*(?:blocks|cubes|letters|bricks))?$", "spell {1}"),
 )  # fmt: skip
 """What makes no sense as it stands."""

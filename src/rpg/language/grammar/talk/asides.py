@@ -226,6 +226,11 @@ def _tag(words: list[str], at: int, end: int) -> bool:
 _NAMES = frozenset({"letter", "letters", "digit", "digits", "number", "numbers", "vowel", "consonant"})
 
 
+def _some_day(words: list[str], at: int, end: int) -> bool:
+    """ "in two rows today": of no block; but "today's goal", "for today"."""
+    return words[end : end + 1] != ["'s"] and (not at or words[at - 1] not in ("for", "until", "from", "by", "since"))
+
+
 def _emphatic(words: list[str], end: int) -> bool:
     """Whether a description follows."""
     after = words[end] if end < len(words) else ""
@@ -390,6 +395,7 @@ _FITTING: tuple[tuple[tuple[str, ...], _Fits], ...] = (
     (_AT_ALL, _denying),
     (_CHOSEN, _chosen),
     (_TAGS, _tag),
+    (("today", "tonight"), _some_day),
     (("right",), lambda words, first, last: _tag(words, first, last) and words[last : last + 1] == ["?"]),
 )
 """Asides, and where they are ones."""

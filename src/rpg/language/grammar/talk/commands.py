@@ -87,6 +87,7 @@ COMMANDS = Patterns(
     "go ahead? and?",
     "feel free to",
     "help me to?",
+    "show|teach|tell me|us|them|the_kids|the_children|everyone|everybody how to|you_would|one_would|you",
     "i am trying to",
     "make|be sure to",
     "make sure you",

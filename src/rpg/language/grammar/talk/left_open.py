@@ -127,7 +127,11 @@ FREE = (
     *(f"{lead} {hues}"
       for lead in ("i do not care about", "do not care about", "never mind", "no matter", "i do not mind")
       for hues in ("colors", "the colors", "the color")),
-    "colors random", "color random",
+    "colors random", "color random", "nothing else counts",
+    *(f"{what} {free}" for what in ("color", "colors", "order", "sizes", "the rest", "the others", "rest", "others")
+      for free in ("whatever", "whichever", "any", "not important", "unimportant", "irrelevant", "up to you")),
+    *(f"{who} do not {care} the {rest}" for who in ("i", "we") for care in ("care about", "mind", "mind about")
+      for rest in ("rest", "others", "other ones", "other blocks")),
     "any corner", "whichever corner", "which corner does not matter", "no matter which corner",
     "not necessarily directly", "not necessarily next to it", "not necessarily adjacent",
     "that is all", "that is it", "i think", "nothing else matters", "nothing else really matters",

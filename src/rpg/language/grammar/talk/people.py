@@ -29,7 +29,7 @@ FINE = (
 EVENTS = (
     "demo|demonstration|test|experiment|game|exercise|show|presentation|puzzle|video|photo|picture|figure|paper|lesson|"
     "class|course|lecture|school|homework|exam|project|birthday|party|story|story_time|workshop|practice|training|task|"
-    "session|fun|photograph|poster|slide|slides|thesis|report|website"
+    "session|fun|photograph|poster|slide|slides|thesis|report|website|scenario|trial|benchmark|evaluation|study|episode"
 )
 """What an instruction may be given for."""
 AGENTS = (

@@ -276,7 +276,7 @@ def fill(things: list[Thing], attribute: str, groups: int | None, scene: Scene) 
             if thing.size is None and thing.edge is None:
                 thing.size = ("small", "big")[index * 2 // len(things)]
         scene.assume("the sizes are not said: small and big")
-    elif attribute in ("vowel", "parity", "label", "kind"):
+    elif attribute in ("vowel", "parity", "label") or (attribute == "kind" and all(t.kind is None for t in things)):
         _fill_labels(open_, attribute, scene)
 
 

@@ -1,5 +1,4 @@
-""" "The six blocks become a tower of four and a row of two": several structures of blocks that are counted use these, and
-no others."""
+""" "The six blocks become a tower of four and a row of two": several structures of counted blocks use these alone."""
 
 from __future__ import annotations
 

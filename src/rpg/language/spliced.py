@@ -132,6 +132,22 @@ def run_together(tokens: list[Token]) -> list[Token] | None:
     return out if len(out) > len(tokens) else None
 
 
+def ordered_behind(tokens: list[Token]) -> list[Token] | None:
+    """The words with a full stop where behind what there is, with no more than a comma between, an order begins that is
+    about it: "there is a tower of red on blue take it apart"."""
+    if not length_at([token.word for token in tokens[:2]], 0, _THERE_IS):
+        return None
+    for n in range(3, len(tokens) - 1):
+        comma = tokens[n - 1].word == ","
+        ordered = tokens[n].word in lexicon.COMMANDS and tokens[n + 1].word in _THEM
+        if ordered and tokens[n - 1 - comma].word in _ENDED:
+            return [*tokens[: n - comma], tokens[n].saying("."), *tokens[n:]]
+    return None
+
+
+_THEM = frozenset({"it", "them", "both", "everything"})
+
+
 def _begins(tokens: list[Token], n: int) -> bool:
     """ "The top one has to be red", "i do not care which", "there are four in total"."""
     words = [token.word for token in tokens[n : n + 6]]

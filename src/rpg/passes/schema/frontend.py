@@ -37,7 +37,7 @@ from rpg.language.open_colors import with_colors
 from rpg.language.praise import without_praise
 from rpg.language.remarks import without_remarks
 from rpg.language.spelling import read_words
-from rpg.language.spliced import in_one_sentence, in_sentences, run_together, stock_last
+from rpg.language.spliced import in_one_sentence, in_sentences, ordered_behind, run_together, stock_last
 from rpg.language.titles import title, untitled
 from rpg.language.tokens import Stray, Token, tokenize
 from rpg.passes.schema.ambiguity import TwoReadings, same
@@ -292,7 +292,9 @@ def _without_more(told: tuple[list[Token], list[Stray]]) -> Iterator[_Shorter]:
         yield (rest, told[1]), [], holds
 
 
-_SPLICED: tuple[Callable[[list[Token]], list[Token] | None], ...] = (in_sentences, run_together, in_one_sentence)
+_SPLICED: tuple[Callable[[list[Token]], list[Token] | None], ...] = (
+    in_sentences, run_together, ordered_behind, in_one_sentence,
+)  # fmt: skip
 """How a text that is not understood is punctuated otherwise."""
 _NOT_UNDERSTOOD = frozenset({"misplaced-word", "incomplete"})
 """Why a text is refused that may be understood with its clauses told apart."""

@@ -12,7 +12,7 @@ from itertools import pairwise
 from rpg.ir import goal as g
 from rpg.ir.assets import Block
 from rpg.ir.node import Node, members
-from rpg.ir.relations import Above, Behind, InFrontOf, LeftOf, On, RightOf
+from rpg.ir.relations import Above, Behind, InFrontOf, LeftOf, On, OnTable, RightOf
 from rpg.ir.schema import COLORS_UNSAID, TaskSchema
 from rpg.ir.structures import Figure, Grid, Pyramid, Row, Stack, Staircase, Towers
 from rpg.ir.walk import atoms, within
@@ -126,6 +126,28 @@ def _built(task: TaskSchema, told: Parts) -> bool:
     return any(isinstance(atom, figures) for atom in atoms(task.goal))
 
 
+def _turned_round(task: TaskSchema, told: Parts) -> bool:
+    """Whether a line of the start is to stand the other way round."""
+    begun, ended = ({pair for goal in goals for pair in _pairs(goal)} for goals in (task.init.arranged, [task.goal]))
+    return bool(begun) and {(b, a) for a, b in begun} == ended
+
+
+def _pairs(goal: g.Goal) -> Iterator[tuple[str, str]]:
+    """Neighbours in a tower from the bottom up, or in a row from its left or its front."""
+    for atom in atoms(goal):
+        if isinstance(atom, On):
+            yield from ((below, above) for below in members(atom.b) for above in members(atom.a))
+        if isinstance(atom, Stack | Row) and atom.order.by == "given":
+            line = [name for rank in atom.order.ranks for name in rank]
+            yield from pairwise(line[::-1] if atom.order.first in ("top", "right", "back") else line)
+
+
+def _taken_apart(task: TaskSchema, told: Parts) -> bool:
+    """Whether blocks start on each other, and are on the table at the end."""
+    piled = any(isinstance(atom, On | Stack | Towers) for goal in task.init.arranged for atom in atoms(goal))
+    return piled and all(isinstance(atom, OnTable) for atom in atoms(task.goal))
+
+
 def _anyway(task: TaskSchema, told: Parts) -> bool:
     return True
 
@@ -138,7 +160,10 @@ _OTHERS = (
 )
 _OFF = f"(?:off|out of|outside(?: of)?|away from|not on|not in)(?: {_THEM})?"
 _STAYS = "(?: is| are| stays?| must be| must stay| remains?| has to stay| have to stay| should be| should stay)?"
+_A_LINE = "(?:a|an|the|this)(?: given| existing)? (?:tower|stack|pile|row|line|column)"
 _TOLD: tuple[tuple[str, Check], ...] = (
+    (f"(?:the )?(?:(?:reversal|inversion) of|reverse|invert|reversing|inverting) {_A_LINE}", _turned_round),
+    (f"(?:the )?(?:dismantling|unstacking) (?:of )?{_A_LINE}|(?:dismantle|unstack|take apart) {_A_LINE}", _taken_apart),
     (r"(?:not|never) (?:the )?(?:other way (?:round|around)|vice versa|the reverse)", _anyway),
     (f"not (?:all |all of the |all of them |both |both of them )?{_MANY}(?: of them| at once)?", _so_many_at_most),
     (f"not {_SO_MANY} (?:rows|columns|towers|stacks|lines|layers) of {_SO_MANY}(?: blocks| cubes)?", _anyway),

@@ -29,6 +29,7 @@ _STACKED = re.compile("(?:is|are) stack(?:ed)?\\b")
 _THING = re.compile(f"{T}|{TS}")
 _UNIQUE = frozenset({*ORD.split("|"), "other", *"12345ABCDE"})
 _NAMED = re.compile(rf"\b(?:{T}|{TS})\b")
+_BECOMES = re.compile(r"\b(?:becomes?|turn into)\b")
 _WAYS = (["left", "right"], ["left", "middle", "right"])
 
 
@@ -47,6 +48,9 @@ def told(pieces: Sequence[Piece]) -> str:
         _NAMED.search(piece.words) for piece in named
     ):
         raise Unclear
+    turned = next((n for n, piece in enumerate(pieces) if _BECOMES.search(piece.words)), 0)
+    if any(_NAMED.search(piece.words) for piece in pieces[:turned]):
+        raise Unclear  # "a red tower becomes a blue one": the first of them is there no more
     _no_scraps(pieces)
     pieces, mats = _on_mats(pieces)
     check_clauses(pieces)

@@ -9,6 +9,8 @@ from rpg.language.grammar.rows.begun import (
     END,
     GOES,
     HEAP,
+    LAYERS_ACROSS,
+    LAYERS_UP,
     LIST,
     MARK,
     MAT,
@@ -42,6 +44,9 @@ BECOME_AT_ONCE: tuple[Turn, ...] = (
      "{1} build a tower of {2}"),
     (f"^{_LED}(?:it|they|the (?:tower|stack|{BRICK}s)) (?:(?:{MUST} )?(?:ends?(?: up)?|finish(?:es)?)(?: as)?|{MUST} "
      f"become|becomes?) ({CHAIN})$", "{1} build a tower of {2}"),
+    *((f"^(?:({END} (?:, )?)(?:it|the {line}) (?:is|has|becomes|shows)|{_LED}(?:it|the {line}) (?:{MUST} (?:be|have|"
+       f"show|become|end with|end up with)|ends(?: up)? with)) ({layers})$", f"{{1}} {{2}} build a {line} with {{3}}")
+      for line, layers in (("tower", LAYERS_UP), ("row", LAYERS_ACROSS))),
     (f"^{_LED}(?:it|the (?:row|line)) (?:{MUST} (?:read|be|become|end up(?: as)?)|reads|becomes|ends up(?: as)?) "
      f"({LIST}(?: ,)? from left to "
      f"right)$",

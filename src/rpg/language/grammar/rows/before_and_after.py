@@ -98,5 +98,5 @@ WITH_ITS_TOP: tuple[Turn, ...] = (
     ("\\bthe way (it|they) (is|are|was|were)$", "as {1} {2}"),
 )  # fmt: skip
 """The same in every sentence."""
-WORDS = ("yet moment point finish",)
+WORDS = ("yet moment point finish reversal inversion inverting reversing dismantling unstacking",)
 """Words that these take besides those that are read anyway."""

@@ -28,15 +28,25 @@ ONE = f"(?:(?:the |an? )?{COLOR}(?: {BRICK}| one)?)"
 """A block by its colour."""
 CHAIN = f"(?:{COLOR}(?: (?:on top of|on|over|above) {COLOR})+)"
 LIST = f"(?:{COLOR}(?:(?: ,| and| , and|)(?: then)? {COLOR})+)"
-_LAYER = f"{COLOR} (?:at the bottom|in the middle|on top|at the top|lowest|highest|on the left|on the right)"
-_LAYERS = f"(?:{_LAYER}(?:(?: ,| and| , and|)(?: then)? (?:{_LAYER}|{COLOR}))+)"
+
+
+def _layers(places: str) -> str:
+    """Blocks of which each is told with its place in a line, or in the order of the line."""
+    one = f"(?:{COLOR}|[a-z]|\\d)"
+    layer = f"{one} (?:{places})"
+    return f"(?:{layer}(?:(?: ,| and| , and|)(?: then)? (?:{layer}|{one}\\b))+)"
+
+
+_LEVELS = "at the bottom|in the middle|on top|at the top|lowest|highest"
+_SIDES = "on the left|in the middle|on the right"
+LAYERS, LAYERS_UP, LAYERS_ACROSS = _layers(f"{_LEVELS}|{_SIDES}"), _layers(_LEVELS), _layers(_SIDES)
 _SIDE = "(?:bottom|top|left|right|front|back)"
 UP = (
     f"(?:(?:counted |listed |told |seen )?from (?:the )?{_SIDE}(?: to (?:the )?{_SIDE}| up| upwards| down| "
     f"downwards)?|"
     f"(?:bottom|left|front) to (?:top|right|back)|top to bottom)"
 )
-ORDER = f"(?:{UP} (?:, |: )?{LIST}|{LIST}(?: ,)? {UP}|{_LAYERS})"
+ORDER = f"(?:{UP} (?:, |: )?{LIST}|{LIST}(?: ,)? {UP}|{LAYERS})"
 """An order in full."""
 _REGION = "(?:the )?((?:left|right|near|far|front|back) half|(?:(?:near|far|front|back|left|right) ){2}(?:corner|one))"
 _TABLE = "(?: of the table)?"
@@ -199,7 +209,8 @@ BEGUN_AT_ONCE: tuple[Turn, ...] = (
 """What is read otherwise as it stands."""
 
 BEGUN: tuple[Turn, ...] = (
-    (f"^(an?|one) ({LINE}) has ({_LAYERS})$", "there is {1} {2} with {3}"),
+    (f"^(an?|one) ({LINE}) has ({LAYERS})$", "there is {1} {2} with {3}"),
+    (f"\\b(an? {LINE}) ({LAYERS})$", "{1} with {2}"),
     (f"^({ONE}) {_LAY} ({_ON_IT}) (?:by mistake|by accident|accidentally|mistakenly|wrongly)$",
      "at the start , {1} is {2}"),
     (f"^({ONE}) {_LAY} ({_ON_IT})(?: ,)? but(?: it)? (?:really |actually )?belongs ({_ON_IT})$",

@@ -29,6 +29,7 @@ from rpg.language.grammar.rows.everyday import EVERYDAY, EVERYDAY_AT_ONCE
 from rpg.language.grammar.rows.faced import FACED, FACED_AT_ONCE
 from rpg.language.grammar.rows.figures import BOARDS, FIGURES
 from rpg.language.grammar.rows.figures_asked import FIGURES_ASKED_AT_ONCE
+from rpg.language.grammar.rows.from_to import FROM_TO
 from rpg.language.grammar.rows.gapped import GAPPED, GAPPED_AT_ONCE
 from rpg.language.grammar.rows.in_conversation import IN_CONVERSATION, TOLD_OF_BOTH
 from rpg.language.grammar.rows.in_steps import IN_STEPS
@@ -113,6 +114,7 @@ _OF_ALL = (
     *BUT_ONE_AT_ONCE,
     *BESIDES_AT_ONCE,
     *PATCHES_AT_ONCE,
+    *FROM_TO,
     *BEGUN_AT_ONCE,
     *OFF_FIRST,
     *BECOME_AT_ONCE,

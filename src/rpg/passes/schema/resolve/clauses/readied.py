@@ -25,6 +25,7 @@ from rpg.passes.schema.resolve.structures.each_lot import each_lot
 from rpg.passes.schema.resolve.structures.either_shape import either_shape
 from rpg.passes.schema.resolve.structures.groups_listed import groups_listed
 from rpg.passes.schema.resolve.structures.last_of_list import check_last
+from rpg.passes.schema.resolve.structures.shared_between import shared_between
 from rpg.passes.schema.resolve.structures.told_of_each import told_of_each
 from rpg.passes.schema.resolve.things.members_later import members_later
 from rpg.passes.schema.resolve.things.named_extras import named_extras
@@ -37,7 +38,7 @@ from rpg.passes.schema.resolve.things.whichever import whichever
 def readied(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
     """The sentences with what one part of them tells of another put there."""
     for together in (
-        check_last, rebuilt_of,
+        check_last, shared_between, rebuilt_of,
         members_later, tally_filled, sorted_as_told, middle_of_ring, no_gap, both_of_a_stack, left_of_two, none_told,
         groups_listed,
     ):  # fmt: skip

@@ -5,7 +5,20 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from rpg.language.meaning import Chain, Clause, Noun, Pronoun, Structure, Traits, Using, parts_of, replace
+from rpg.language.meaning import (
+    Amount,
+    Chain,
+    Clause,
+    Coord,
+    Meaning,
+    Noun,
+    Pronoun,
+    Structure,
+    Traits,
+    Using,
+    parts_of,
+    replace,
+)
 from rpg.passes.schema.resolve.things.world import refuse
 
 
@@ -17,6 +30,7 @@ def rebuilt_of(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
     """
     known = False
     found = []
+    chains = _there_first(chains)
     for chain in chains:
         for clause in chain.clauses:
             known = known or (isinstance(clause, Clause) and clause.mode in ("given", "start"))
@@ -33,6 +47,60 @@ def rebuilt_of(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
                 clauses[n] = replace(made, adjuncts=(Using(members=them, span=made.span), *made.adjuncts))
         found.append(chain if tuple(clauses) == chain.clauses else replace(chain, clauses=tuple(clauses)))
     return tuple(found)
+
+
+def _there_first(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
+    """ "Take the tower of four apart and build two towers of two": with the tower told to be there, for something is
+    built of so many blocks behind it."""
+    told = [(n, k, c) for n, chain in enumerate(chains) for k, c in enumerate(chain.clauses) if isinstance(c, Clause)]
+    at = next(
+        (m for m, (_, _, c) in enumerate(told) if c.verb == "unstack" and not c.negated and _counted(c.theme)), -1
+    )
+    if at < 0 or not any(_made(c) for _, _, c in told[at + 1 :]) or any(c.mode in _GIVEN for _, _, c in told[:at]):
+        return chains
+    n, k, taken = told[at]
+    whole = taken.theme
+    assert isinstance(whole, Structure)
+    begun = replace(whole, det="bare" if whole.plural else "a", amount=whole.amount or Amount(1, 1))
+    there = Clause(verb="exist", lemma="begun", theme=begun, mode="given", span=whole.span)
+    taken = replace(taken, theme=Pronoun(word="them", span=whole.span))
+    chain, (after, _, made) = chains[n], told[at + 1]
+    at_once = after == n and chain.links[k + 1] == "and" and _of_these(made, whole)  # "turn it into two towers"
+    clauses = (*chain.clauses[:k], there, *(() if at_once else (taken,)), *chain.clauses[k + 1 :])
+    links = (*chain.links[: k + 1], *(() if at_once else ("and",)), *chain.links[k + 1 :])
+    return (*chains[:n], replace(chain, clauses=clauses, links=links), *chains[n + 1 :])
+
+
+_GIVEN = ("given", "start")
+
+
+def _of_these(made: Clause, whole: Structure) -> bool:
+    """Whether what is built has no other looks than what is taken apart."""
+    looks = {x.traits for x in parts_of(whole) if isinstance(x, Noun | Structure)} | {Traits()}
+    return all(x.traits in looks for x in parts_of(made) if isinstance(x, Noun | Structure))
+
+
+def _counted(whole: Meaning | None) -> bool:
+    """Whether so many blocks are said to be in a structure, and no more of them than their look."""
+    if not isinstance(whole, Structure) or whole.det != "the" or whole.details or whole.letter:
+        return False
+    members = whole.members
+    size = members.amount if isinstance(members, Noun) else whole.size if members is None else None
+    return size is not None and size.low == size.high
+
+
+def _made(clause: Clause) -> bool:
+    """Whether new structures of so many blocks are built, of which nothing else is said."""
+    shapes = clause.theme.items if isinstance(clause.theme, Coord) else (clause.theme,)
+    used = any(isinstance(x, Using) for x in clause.adjuncts)
+    return clause.verb == "build" and not clause.negated and not used and all(map(_sized, shapes))
+
+
+def _sized(shape: Meaning | None) -> bool:
+    members = shape.members if isinstance(shape, Structure) else None
+    lots = members.items if isinstance(members, Coord) else (members,)
+    told = all(getattr(x, "amount", None) is not None for x in lots) or getattr(shape, "size", None) is not None
+    return isinstance(shape, Structure) and shape.det in ("a", "bare") and told
 
 
 def _check_used(clause: object, *, known: bool) -> None:

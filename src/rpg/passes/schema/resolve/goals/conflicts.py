@@ -228,6 +228,8 @@ def _flat_and_upright(flat: g.Goal, upright: g.Goal) -> bool:
     line = set(on_table) if isinstance(on_table, tuple) else set()  # of a tower it is its lowest block, whichever it is
     if isinstance(upright, s.Stack):
         return len(line & set(upright.blocks)) > 1
+    if isinstance(upright, s.Towers | s.Pyramid | s.Staircase) or (isinstance(upright, s.Grid) and upright.layers > 1):
+        return isinstance(flat, r.OnTable) and {*upright.blocks} <= line
     if isinstance(upright, r.On | r.Above) and isinstance(upright.a, tuple) and isinstance(upright.b, tuple):
         return bool(line & set(upright.a)) and bool(line & set(upright.b))
     return False

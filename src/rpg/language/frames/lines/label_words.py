@@ -19,7 +19,7 @@ _NEXT = (
 )
 _SPEAKS = "(?:can|could|want|need|have|would|like|see|wish|should|am|will|must|may|read|do|get|expect)"
 LABEL = (
-    rf"[A-HJ-Z]|I(?= (?:(?:,|and|[A-Z]|in|on|at|from|is|are|to|block|cube|\.) |$))|[b-hj-z]|\d(?! of )|'[A-Z0-9]'|"
+    rf"[A-HJ-Z]|I(?= (?:(?:,|and|[A-Z]|in|on|at|from|is|are|to|block|cube|\.) |$))|[b-hj-z]|\d(?! (?:of|plain|colored|more|other|further|different) )|'[A-Z0-9]'|"
     rf"a(?= (?:{_NEXT} |$))|i(?= (?:,|and|[A-Z]|[b-hj-z]|BE) )"
 )
 _DIGITS, _LETTERS = string.digits, string.ascii_uppercase

@@ -39,6 +39,7 @@ from rpg.language.grammar.rows.lots_told import LOTS, LOTS_AT_ONCE
 from rpg.language.grammar.rows.not_at_end import NOT_THERE, NOT_THERE_AT_ONCE, not_at_end
 from rpg.language.grammar.rows.not_consecutive import not_consecutive
 from rpg.language.grammar.rows.of_each_color import of_each_color
+from rpg.language.grammar.rows.one_color_each import ONE_COLOR_EACH
 from rpg.language.grammar.rows.one_row_and_one import one_row_and_one
 from rpg.language.grammar.rows.ordered import ORDERED, ORDERED_AT_ONCE
 from rpg.language.grammar.rows.other_end import other_end_named, row_with_ends
@@ -118,6 +119,7 @@ _OF_ALL = (
     *BOARDS,
     *PYRAMIDS,
     *STAIRS,
+    *ONE_COLOR_EACH,
     *TOWERS_AT_ONCE,
     *UPWARD_AT_ONCE,
     *UPRIGHT_AT_ONCE,

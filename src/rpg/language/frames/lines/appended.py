@@ -29,13 +29,19 @@ def append(row: Row, more: Sequence[Piece]) -> None:
         Unclear: the row has no order, or they have no end of it for themselves.
     """
     order = row.order
-    if not order or (row.noun == "line" and not row.direction) or len({p.named["side"] == "after" for p in more}) < len(more):
+    if (
+        not order
+        or (row.noun == "line" and not row.direction)
+        or len({p.named["side"] == "after" for p in more}) < len(more)
+    ):
         raise Unclear
     for piece in more:
         after, color = piece.named["side"] == "after", piece.named["color"]
         end = order[-1 if after else 0]
         told = {"label": end, "end": "last" if after else "first"}
-        if color in order or any(piece.named[key].strip("'").upper() != said.upper() for key, said in told.items() if key in piece.named):
+        if color in order or any(
+            piece.named[key].strip("'").upper() != said.upper() for key, said in told.items() if key in piece.named
+        ):
             raise Unclear
         row.counts[color] += 1
         row.order = order = [*order, color] if after else [color, *order]

@@ -67,6 +67,7 @@ from rpg.language.grammar.rows.specified import REQUIRED, REQUIRED_AT_ONCE, SPEC
 from rpg.language.grammar.rows.stairs import STAIRS, of_the_figure
 from rpg.language.grammar.rows.sums import SUMS_AT_ONCE
 from rpg.language.grammar.rows.sums_asked import sums_asked
+from rpg.language.grammar.rows.sums_on_a_patch import sums_on_a_patch
 from rpg.language.grammar.rows.swapped_over import swapped_over
 from rpg.language.grammar.rows.times import BEFORE_IT, OFF_FIRST
 from rpg.language.grammar.rows.told_once import TOLD_ONCE
@@ -228,7 +229,7 @@ def _steps_told(tokens: list[Token]) -> list[Token]:
 
 
 _CHANGES = (
-    sums_asked, one_row_and_one, listed_lines, column_words, labels_counted, announced_rainbow,
+    sums_asked, sums_on_a_patch, one_row_and_one, listed_lines, column_words, labels_counted, announced_rainbow,
     swapped_over, result_told, palindromes, around_named, some_of_the_letters, row_with_ends,
     other_end_named, rows_by_number, told_by_places, _steps_told, _one_of_each, of_each_color, corners_again,
     not_at_end, of_the_figure, word_again, range_but, not_consecutive, so_many_inside,

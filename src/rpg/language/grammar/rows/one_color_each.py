@@ -24,7 +24,7 @@ def _no_two_alike(unit: str) -> Turn:
 
 ONE_COLOR_EACH: tuple[Turn, ...] = (
     *map(_no_two_alike, ("tower", "stack", "row", "line", "column", "layer", "level", "one")),
-    (f"^((?:{BUILD} )?{MANY} (?:rows|lines) of {MANY}(?: blocks| cubes)?)(?: ,)? {_ONE} (?:each|per (?:row|line))(?= ,|$)",
-     "{1} , each row in one color"),
+    (f"^((?:{BUILD} )?{MANY} (?:rows|lines) of {MANY}(?: blocks| cubes)?)(?: ,)? {_ONE} (?:each|per (?:row|line))"
+     "(?= ,|$)", "{1} , each row in one color"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""

@@ -24,16 +24,17 @@ _NEAR = "(?:nearest|closest)(?: to)? (?:me|us|you|the viewer|the robot)"
 _OPERANDS = f"(?:with|of|from|using|made of|out of) (?:two|2) (?:(?:number|digit)s?(?: {CUBE}s)?|summands)"
 _MARKS = "(?:(?: ,| and| with)+ (?:an? )?(?:{sign}|=|equals?|equality)(?: sign| symbol| block| cube)?)*"
 _RESULT_IS = (
-    "((?:with |and )*(?:an? |the )?(?:number |digit )?\\w+ as (?:the|its) (?:result|answer|sum|total)|(?:with |and )?(?:the "
-    "|a )?(?:result|answer) (?:of )?\\w+|(?:that|which) (?:gives?|makes?|equals?|adds? up to|comes? to) \\w+|whose "
-    "(?:result|answer|sum) is \\w+)"
+    "((?:with |and )*(?:an? |the )?(?:number |digit )?\\w+ as (?:the|its) (?:result|answer|sum|total)|(?:with |and )?"
+    "(?:the |a )?(?:result|answer) (?:of )?\\w+|(?:that|which) (?:gives?|makes?|equals?|adds? up to|comes? to) \\w+|"
+    "whose (?:result|answer|sum) is \\w+)"
 )
 
 
 def _of_two_numbers(sign: str, kind: str, called: str) -> Turn:
     """ "A sum with two number cubes, a plus, an equals sign and an 8 as the result": there is no other with it."""
     return (
-        f"\\ban? (?:{_TRUE} )?(?:{called}|equation|calculation) {_OPERANDS}{_MARKS.format(sign=sign)}(?: ,)? {_RESULT_IS}$",
+        f"\\ban? (?:{_TRUE} )?(?:{called}|equation|calculation) {_OPERANDS}{_MARKS.format(sign=sign)}(?: ,)? "
+        f"{_RESULT_IS}$",
         f"{kind} {{1}}",
     )
 

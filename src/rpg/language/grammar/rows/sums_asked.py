@@ -26,8 +26,8 @@ _CUBES = (
     "(?: (?:and|or) (?:sign|symbol)s?)? (?:blocks|cubes|tiles|table))"
 )
 _PARTS = (
-    "(?:(?: ,| with| and| including| together with| plus)+(?: (?:the|its|an?))?(?: (?:right|correct))? (?:result|answer|"
-    "solution|(?:\\w+ )?sign|=|\\+|-|\\*|/))"
+    "(?:(?: ,| with| and| including| together with| plus)+(?: (?:the|its|an?))?(?: (?:right|correct))? (?:result|"
+    "answer|solution|(?:\\w+ )?sign|=|\\+|-|\\*|/))"
 )
 _SHOW_IT = re.compile(
     f"{_LEAD}{_DO} (?:{_WHOLE}{_SUM}|(?:the |its )?(?:answer|result|solution) as {_WHOLE}{_SUM})"

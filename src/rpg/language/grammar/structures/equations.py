@@ -116,9 +116,9 @@ def value_of(side: str) -> Fraction | None:
 
 
 _RESULT_ALONE = (
-    "with the result", "with a result of", "with the result of", "with the answer", "whose result is", "whose answer is",
-    "that gives", "that makes", "that equals", "that adds up to", "that comes to", "which gives", "which makes",
-    "which equals", "giving", "with the sum", "whose sum is",
+    "with the result", "with a result of", "with the result of", "with the answer", "whose result is",
+    "whose answer is", "that gives", "that makes", "that equals", "that adds up to", "that comes to", "which gives",
+    "which makes", "which equals", "giving", "with the sum", "whose sum is",
 )  # fmt: skip
 _AS_RESULT = tuple(
     f"as {its} {result}" for its in ("the", "its", "a") for result in ("result", "answer", "sum", "outcome", "total")

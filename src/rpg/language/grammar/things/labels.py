@@ -235,7 +235,9 @@ def initials(p: Parser, i: int) -> bool:
     """ "(Line the blocks up as) RGB": what stands for colours where no letters are spoken of."""
     text = literal(p, i) or ""
     colors = {color[0].upper() for color in lexicon.COLORS} | {"K"}
-    return p.follows(i, ("as",)) and len({*text}) == len(text) and {*text} <= colors and p.all.isdisjoint(lexicon.LETTER)
+    return (
+        p.follows(i, ("as",)) and len({*text}) == len(text) and {*text} <= colors and p.all.isdisjoint(lexicon.LETTER)
+    )
 
 
 def digits_of(p: Parser, i: int) -> str | None:

@@ -63,7 +63,8 @@ _LONGEST = 4
 
 
 def names_as_words(tokens: list[Token]) -> list[Token]:
-    """The tokens with "the word" for whosever name is told in capitals: "my little niece's name, OLA,", "my name, LEO,"."""
+    """The tokens with "the word" for whosever name is told in capitals: "my little niece's name, OLA,", "my name,
+    LEO,"."""
     words = [token.word for token in tokens]
     at = words.index("name") if "name" in words else 0
     if not at or (words[at - 1] != "'s" and words[at - 1] not in _OWN):

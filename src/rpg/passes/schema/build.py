@@ -40,6 +40,7 @@ from rpg.passes.schema.resolve.clauses.lists_cut import check_lists
 from rpg.passes.schema.resolve.clauses.marks_joined import marks_joined
 from rpg.passes.schema.resolve.clauses.moments import in_time
 from rpg.passes.schema.resolve.clauses.readied import readied
+from rpg.passes.schema.resolve.clauses.rows_again import check_lines_again
 from rpg.passes.schema.resolve.clauses.set_below import check_set_below
 from rpg.passes.schema.resolve.clauses.taken_for_granted import either_way
 from rpg.passes.schema.resolve.clauses.told_order import in_told_order
@@ -162,6 +163,7 @@ def resolve(
     check_lists(chains, text)
     check_each(chains, text)
     check_tower_or_block(chains)
+    check_lines_again(chains)
     check_set_below(chains)
     check_it(chains := of_the_one(chains))
     chains = from_heaps(readied(marks_joined(chains), text), text)

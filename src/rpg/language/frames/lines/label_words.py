@@ -19,7 +19,8 @@ _NEXT = (
 )
 _SPEAKS = "(?:can|could|want|need|have|would|like|see|wish|should|am|will|must|may|read|do|get|expect)"
 LABEL = (
-    rf"[A-HJ-Z]|I(?= (?:(?:,|and|[A-Z]|in|on|at|from|is|are|to|block|cube|\.) |$))|[b-hj-z]|\d(?! of )|'[A-Z0-9]'|"
+    rf"[A-HJ-Z]|I(?= (?:(?:,|and|[A-Z]|in|on|at|from|is|are|to|block|cube|\.) |$))|[b-hj-z]|"
+    rf"\d(?! (?:of|plain|colored|more|other|further|different) )|'[A-Z0-9]'|"
     rf"a(?= (?:{_NEXT} |$))|i(?= (?:,|and|[A-Z]|[b-hj-z]|BE) )"
 )
 _DIGITS, _LETTERS = string.digits, string.ascii_uppercase
@@ -59,7 +60,8 @@ LABELS: list[Pattern] = [
     *patterns("range", _range,
         rf"(?:the )?(?:{_NOUN} |blocks |cubes )?(?:(?P<way>from|starting with|beginning with) )?(?P<first>{LABEL}|"
         rf"one) {_TO} (?P<last>{LABEL})(?: inclusive)?",
-        rf"(?:from )?(?P<first>{LABEL}) (?:at|on) the (?P<side>left|right)(?: end| side)? {_TO} (?P<last>{LABEL}) (?:at|"
+        rf"(?:from )?(?P<first>{LABEL}) (?:at|on) the (?P<side>left|right)(?: end| side)? {_TO} (?P<last>{LABEL}) (?:"
+        rf"at|"
         rf"on) the (?:left|right)(?: end| side)?"),
     *patterns("range", _every_other,
         rf"(?:all )?(?:of )?(?:the )?(?P<which>even|odd) (?:{_NOUN}|BLOCK)(?: from)? (?P<first>{LABEL}|one) {_TO} "

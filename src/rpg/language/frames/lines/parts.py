@@ -14,8 +14,8 @@ _LENGTH = (
 )
 _NEIGHBORS = (
     "(?: (?:in )?(?:between|from) (?:(?:each|all|the|every|any|every 2|each 2|any 2|2|all the|all of the|adjacent|"
-    "neighboring|adjoining|consecutive|successive|their|each and every|all of|each of|any 2 of|every 2 of|each 2 of|one) "
-    ")*(?:BLOCK|neighbors?|neighboring|ones?|them|"
+    "neighboring|adjoining|consecutive|successive|their|each and every|all of|each of|any 2 of|every 2 of|each 2 of|"
+    "one) )*(?:BLOCK|neighbors?|neighboring|ones?|them|"
     "other|another|faces|pair|pairs|edges|sides|pair of neighbors|pair of BLOCK|pair of neighboring BLOCK)(?: and "
     "(?:the )?(?:next|its neighbor|each other)(?: one| BLOCK)?| to (?:the )?next(?: one)?)?)"
 )

@@ -106,9 +106,10 @@ def _arranged(row: Row, noun: str, names: Colored) -> str:
     lay = f"Lay {names.blocks(row.counts)} in a {noun}"
     if row.order:
         return _listed(row, lay, noun, pattern)
-    if pattern == "mirrored" and all(name in ("middle", "sides") for name, *_ in row.facts):
-        if follows(filled(size, row.facts, row.near, row.first), row.counts, pattern):
-            row.facts = []
+    about_middle = bool(row.facts) and all(name in ("middle", "sides") for name, *_ in row.facts)
+    if pattern == "mirrored" and about_middle:
+        known = filled(size, row.facts, row.near, row.first)
+        row.facts = [] if follows(known, row.counts, pattern) else row.facts
     if not row.facts:
         if pattern == "alternating" and (len(row.counts) != 2 or abs(_difference(row.counts)) > 1 or row.direction):
             raise Unclear

@@ -24,6 +24,11 @@ _THERE = "(?:there|that way|like that|so)"
 _NUMBERED = ("one|1 \\.", "two|2 \\.", "three|3 \\.")
 
 
+_TIDY = "^(?:(?:please|kindly|can|could|would|will|you|now) )*(?:tidy|clean)(?: up)? "
+_FOR = "(?: up)?(?: for (?:me|us|her|him|them))?(?: please)? [.:?!] (?=.)"
+_SYMBOLS = f"(?:letters|digits|numbers|{CUBE}s|(?:letter|digit|number) {CUBE}s)(?: (?:\\w|,|and|to)\\b| ,)+"
+
+
 def _of_two(one: str, both: str) -> str:
     """ "One mat is blue and the other white"."""
     return (
@@ -62,6 +67,9 @@ ACROSS: tuple[Turn, ...] = (
      f"(?:is made of|is built of|consists of|has) (?:exactly )?({MANY})(?: of them| {CUBE}s)?{_ON} (?=the (?:other|"
      f"remaining) {MANY} .*on the table\\b)",
      "exactly {2} of them must form a {1} . "),
+    # what is there, told as what is to be tidied
+    (f"{_TIDY}(the {_SYMBOLS}|the {MANY} {COLOR} [^.:?!]*?{CUBE}s){_FOR}", "there are {1} . "),
+    (f"{_TIDY}(?:the|my|our) (?:{CUBE}s|letters|digits|numbers|toys){_FOR}", ""),
     *WRONG_WAY_ROUND,
     *WORDS_IN_ROWS,
     ("\\b(in two rows) \\. (?=[^.]* in the (?:back|front|far|near|first|second) row\\b)", "{1} : "),

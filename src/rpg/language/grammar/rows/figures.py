@@ -124,6 +124,9 @@ FIGURES: tuple[Turn, ...] = (
 BOARDS: tuple[Turn, ...] = (
     # sizes, and what there is
     (f"\\b((?:rectangle|grid|square)\\b.*?) ({MANY}) rows by ({MANY})(?= ,|$)", "{1} {2} rows by {3} columns"),
+    *((f"^(?:{BUILD} )?(?:(?:with|a grid of|grid) )?({MANY}) {one} (?:x|by|and|times|,) ({MANY}) {other}(?: ,| :| in| "
+       "as| with)+ (?:an? )?(checkerboard|chessboard)(?: pattern)?", f"a {{3}} with {{1}} {one} and {{2}} {other}")
+      for one, other in (("rows", "columns"), ("columns", "rows"))),
     (f"\\b(checkerboard|chessboard)(?: pattern)? , ({MANY} {COLOR}){N} and ({MANY} {COLOR}){N} ,",
      "{1} of {2} and {3} blocks ,"),
     (f"^(?:goal : )?({MANY} {COLOR} {_BLOCKS}) in the ({_SIDE}) (row|column) and ({MANY} {COLOR} {_BLOCKS}) in the "

@@ -44,7 +44,9 @@ from rpg.language.grammar.rows.not_at_end import NOT_THERE, NOT_THERE_AT_ONCE, n
 from rpg.language.grammar.rows.not_consecutive import not_consecutive
 from rpg.language.grammar.rows.of_each_color import of_each_color
 from rpg.language.grammar.rows.on_several import ON_SEVERAL, ON_SEVERAL_AT_ONCE
+from rpg.language.grammar.rows.one_color_each import ONE_COLOR_EACH
 from rpg.language.grammar.rows.one_more import one_more
+from rpg.language.grammar.rows.one_row_and_one import one_row_and_one
 from rpg.language.grammar.rows.order_matters import ORDER_MATTERS_AT_ONCE
 from rpg.language.grammar.rows.ordered import ORDERED, ORDERED_AT_ONCE
 from rpg.language.grammar.rows.other_end import other_end_named, row_with_ends
@@ -73,6 +75,8 @@ from rpg.language.grammar.rows.spawned import SPAWNED
 from rpg.language.grammar.rows.specified import REQUIRED, REQUIRED_AT_ONCE, SPECIFIED, SPECIFIED_AT_ONCE
 from rpg.language.grammar.rows.stairs import STAIRS, of_the_figure
 from rpg.language.grammar.rows.sums import SUMS_AT_ONCE
+from rpg.language.grammar.rows.sums_asked import sums_asked
+from rpg.language.grammar.rows.sums_on_a_patch import sums_on_a_patch
 from rpg.language.grammar.rows.swapped_over import swapped_over
 from rpg.language.grammar.rows.task_told import TASK_TOLD
 from rpg.language.grammar.rows.times import BEFORE_IT, OFF_FIRST
@@ -133,6 +137,7 @@ _OF_ALL = (
     *BOARDS,
     *PYRAMIDS,
     *STAIRS,
+    *ONE_COLOR_EACH,
     *TOWERS_AT_ONCE,
     *UPWARD_AT_ONCE,
     *UPRIGHT_AT_ONCE,
@@ -247,7 +252,7 @@ def _steps_told(tokens: list[Token]) -> list[Token]:
 
 
 _CHANGES = (
-    listed_lines, column_words, labels_counted, announced_rainbow,
+    sums_asked, sums_on_a_patch, one_row_and_one, listed_lines, column_words, labels_counted, announced_rainbow,
     swapped_over, result_told, palindromes, one_more, all_sides, around_named, some_of_the_letters, row_with_ends,
     other_end_named, rows_by_number, told_by_places, _steps_told, _one_of_each, of_each_color, corners_again,
     not_at_end, of_the_figure, word_again, range_but, not_consecutive, so_many_inside,

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import MANY, MUST, WAY
+from rpg.language.grammar.rows.vocabulary import CUBE, MANY, MUST, WAY
 
 _OP = "(?:[-+*/x]|plus|minus|times|multiplied by|divided by)"
 _SUM = f"({MANY} {_OP} {MANY}(?: {_OP} {MANY})*)"
@@ -21,7 +21,32 @@ _SMALL = "(?:smallest|lowest)"
 _WHICH = "(?: number| digit| one)?"
 _NEAR = "(?:nearest|closest)(?: to)? (?:me|us|you|the viewer|the robot)"
 
+_OPERANDS = f"(?:with|of|from|using|made of|out of) (?:two|2) (?:(?:number|digit)s?(?: {CUBE}s)?|summands)"
+_MARKS = "(?:(?: ,| and| with)+ (?:an? )?(?:{sign}|=|equals?|equality)(?: sign| symbol| block| cube)?)*"
+_RESULT_IS = (
+    "((?:with |and )*(?:an? |the )?(?:number |digit )?\\w+ as (?:the|its) (?:result|answer|sum|total)|(?:with |and )?"
+    "(?:the |a )?(?:result|answer) (?:of )?\\w+|(?:that|which) (?:gives?|makes?|equals?|adds? up to|comes? to) \\w+|"
+    "whose (?:result|answer|sum) is \\w+)"
+)
+
+
+def _of_two_numbers(sign: str, kind: str, called: str) -> Turn:
+    """ "A sum with two number cubes, a plus, an equals sign and an 8 as the result": there is no other with it."""
+    return (
+        f"\\ban? (?:{_TRUE} )?(?:{called}|equation|calculation) {_OPERANDS}{_MARKS.format(sign=sign)}(?: ,)? "
+        f"{_RESULT_IS}$",
+        f"{kind} {{1}}",
+    )
+
+
 SUMS_AT_ONCE: tuple[Turn, ...] = (
+    # sums of which the result alone is told
+    _of_two_numbers("\\+|plus", "an addition", "sum|addition"),
+    _of_two_numbers("-|minus", "a subtraction", "subtraction|difference"),
+    _of_two_numbers("\\*|times|multiplication", "a multiplication", "multiplication|product"),
+    _of_two_numbers("/|division|divided by", "a division", "division|quotient"),
+    ("\\b(an? (?:addition|subtraction|multiplication|division)) and (?=(?:an? |the )?(?:\\w+ as (?:the|its) |result))",
+     "{1} with "),
     # sums
     (f"^(?:show|tell|demonstrate)(?: me)? (?:how much|what) {_SUM} (?:is|are|makes?|gives?|equals)(?:(?: ,)? (?:by|as|"
      f"in|with)(?: (?:laying|writing|building|spelling|showing)(?: out| down)?)?(?: the| an?)? {_CALL})?(?: ,)?(?: "

@@ -211,12 +211,6 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
                                                                                            "nor at the bottom"),
     ("^(.*\\b(?:row|line)\\b.* (?:be|is)) neither (?:the )?first nor (?:the )?last\\b", "{1} neither at the left end "
                                                                                         "nor at the right end"),
-    # one colour each
-    (f"\\b(?:each|every) ({TOWER}|row|line|one)(?: is| being)?(?: in| of| has| having)? (?:just |only )?(?:one|a "
-     "single) color(?: ,| and)+ (?:no two(?: of them| towers| stacks| rows)? (?:the same|alike|(?:of|in|having|have) "
-     "the same color)|all (?:three |four |two )?(?:of |in )?different(?: colors)?|(?:in )?different colors|all "
-     "different)$",
-     "each {1} of a different color"),
     *((f"\\b(alternately|alternating) , (?:the |an? )?({COLOR}|\\w)(?: one| block)? (?:is |being )?(?:the "
        f")?(?:{end})(?: one)?$",
        f"{{1}} , {{2}} {where}")

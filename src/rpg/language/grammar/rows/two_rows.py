@@ -38,8 +38,8 @@ _THE_WORD = f"(?:the word )?(?!{COLOR}\\b){_WORD}"
 _BEFORE_IT = f"(?:in front of|before) {_IT}|(?:in|at)(?: the)? front(?: row)?"
 _BEHIND_IT = f"behind(?: {_IT})?|(?:in|at) the (?:back|rear)(?: row)?"
 WORDS_IN_ROWS: tuple[Turn, ...] = (
-    (f"^(?:(?:{_WRITE}|put|arrange|place|line up|set) )?(?:(?:the )?{_LETTERS} (?:in|into|as) )?(?:two|2) (?:rows|lines)"
-     f"(?: of {_LETTERS})?(?: ,| :| \\.)+ (?={_FARTHER} {_READS} )", ""),
+    (f"^(?:(?:{_WRITE}|put|arrange|place|line up|set) )?(?:(?:the )?{_LETTERS} (?:in|into|as) )?(?:two|2) (?:rows|"
+     f"lines)(?: of {_LETTERS})?(?: ,| :| \\.)+ (?={_FARTHER} {_READS} )", ""),
     (f"^{_FARTHER} {_READS} {_THE_WORD}{_JOINT} (?:{_NEARER})(?: {_READS})? {_THE_WORD}(?= \\.|$)",
      "write {1} in the far row and {2} in the near row"),
     (f"^(?:the )?(?:near|front|bottom|lower){_ROW} {_READS} {_THE_WORD}{_JOINT} (?:{_BEYOND})(?: {_READS})? "

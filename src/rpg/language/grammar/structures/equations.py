@@ -115,6 +115,27 @@ def value_of(side: str) -> Fraction | None:
     return total
 
 
+_RESULT_ALONE = (
+    "with the result", "with a result of", "with the result of", "with the answer", "whose result is",
+    "whose answer is", "that gives", "that makes", "that equals", "that adds up to", "that comes to", "which gives",
+    "which makes", "which equals", "giving", "with the sum", "whose sum is",
+)  # fmt: skip
+_AS_RESULT = tuple(
+    f"as {its} {result}" for its in ("the", "its", "a") for result in ("result", "answer", "sum", "outcome", "total")
+)
+
+
+@rule
+def result_alone(p: Parser, i: int) -> Results[int]:
+    """ "(an addition) with the result 8", "(an equation) with an 8 as the result": no more is told of it than that."""
+    told = p.any_of(i, _RESULT_ALONE)
+    if told and (result := p.number(told)) is not None:
+        yield result, told + 1
+    shown = p.opt(p.opt(p.one(i, "with"), "a", "an", "the"), "number", "digit") if p.stands(i, ("with",)) else 0
+    if shown and (result := p.number(shown)) is not None and (end := p.any_of(shown + 1, _AS_RESULT)):
+        yield result, end
+
+
 _RESULTS = (
     "that equals", "that gives", "that makes", "that yields", "that adds up to", "with the result", "with a result of",
     "with a product that gives", "with a sum that gives", "with a product of", "whose result is", "giving", "equal to",

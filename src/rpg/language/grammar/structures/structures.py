@@ -9,7 +9,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.sides import SIDES, toward
 from rpg.language.grammar.structures.copies import copies
-from rpg.language.grammar.structures.equations import equation, promised, unequal
+from rpg.language.grammar.structures.equations import equation, promised, result_alone, unequal
 from rpg.language.grammar.structures.heights import bar_chart
 from rpg.language.grammar.structures.makeup import per_color, sized_members
 from rpg.language.grammar.structures.modifiers import DETAILS, EDGES, MODIFIERS, OPERATORS
@@ -359,6 +359,8 @@ def _tail(p: Parser, i: int, j: int, base: Structure) -> Results[Meaning]:
         told = p.any_of(p.any_of(j, _SHOWN) or j, _SAYS) or p.opt(p.any_of(j, _SHOWN) or j, ":", ",")
         for text, k in (*equation(p, told), *unequal(p, told), *promised(p, j)):
             yield replace(base, letter=text, span=p.span(i, k)), k
+        for result, k in result_alone(p, j):
+            yield replace(base, letter=f"{base.letter or '+'}={result}", span=p.span(i, k)), k
     for pattern, k in per_color(p, j):
         base = replace(base, plural=True, details=(*base.details, pattern))
         yield from sized_members(p, i, k, base)

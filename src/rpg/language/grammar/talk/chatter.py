@@ -24,6 +24,7 @@ _OPEN = (
     "where_it_stands|where_they_stand|where_you_build_it|where_you_put_it|where_you_put_them|which_is_which|"
     "which_goes_where|which_comes_first|which_one_comes_first|what_they_are|the_rest|everything_else|anything_else|"
     "how_you_do_it|how_you_do_that|how_you_get_there|how_it_is_done|how|the_colors|their_colors|the_color|its_color|"
+    "the_numbers|which_numbers|what_numbers|which_numbers_they_are|the_digits|which_digits|the_letters|which_letters|"
     "what_color|what_color_it_is|what_color_they_are|which_color|which_colors|which_color_it_is|which_colors_they_have"
 )
 _FREE = (

@@ -59,12 +59,20 @@ def printed(p: Parser, i: int, j: int, k: int, noun: Noun) -> Results[Noun]:
 
 
 def shown(p: Parser, i: int, part_: Absolute) -> bool:
-    """ "the cube with the number 5 on it": that is what it shows, rather than what lies on it."""
+    """ "the cube with the number 5 on it", "cubes with letter on the left": that is what it shows, rather than what
+    lies on it, or where."""
     theme, place = part_.theme, part_.adjuncts[0]
     it = isinstance(place, Loc) and isinstance(place.landmark, Pronoun) and place.rel == "on"
     symbol = isinstance(theme, Noun) and bool(theme.traits.labels) and not theme.traits.colors
+    bare = isinstance(theme, Noun) and (theme.det, theme.plural, theme.traits) == ("bare", False, _kind_alone(theme))
     bearer = p.words[i - 1] if i else ""
-    return it and symbol and (bearer == "one" or lexicon.BLOCK.get(bearer) is False) and not _names_block(p, part_)
+    one = bearer == "one" or lexicon.BLOCK.get(bearer) is False
+    return ((it and symbol and one) or (bare and bearer in lexicon.BLOCK)) and not _names_block(p, part_)
+
+
+def _kind_alone(theme: Noun) -> Traits | None:
+    """The looks of "letter" or "number", of which nothing else is said."""
+    return Traits(kind=theme.traits.kind) if theme.traits.kind in ("letter", "digit", "symbol") else None
 
 
 def _names_block(p: Parser, part_: Absolute) -> bool:

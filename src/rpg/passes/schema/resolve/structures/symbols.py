@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import string
-from itertools import permutations
+from itertools import permutations, product
 
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
@@ -227,6 +227,8 @@ def equation(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scop
     """ "2+3=5", "a correct equation"."""
     plain(shape)
     text = shape.letter if shape.letter and len(shape.letter) > 1 else None
+    if text is not None and text[0] in "+-*/":
+        return _with_result(text[0], int(text[2:]), theme, spec, shape, scene, scope)
     chosen = text or _default_equation(shape.letter)
     check_equation(chosen, shape.span)
     source = shape.members or (spec.usings.pop(0).members if spec.usings else None)
@@ -243,6 +245,23 @@ def equation(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scop
     if theme is None and text is None:
         scene.assume(f"the numbers are not said: cubes for {chosen}, any true equation of them counts")
     return _equation_node(_cubes(chosen, spec, theme, scene, scope, shape.span), text, spec, shape, scene)
+
+
+def _with_result(
+    sign: str, result: int, theme: Ref | None, spec: Spec, shape: Structure, scene: Scene, scope: Scope
+) -> Made:
+    """ "An addition with the result 8": of two digits that have it, which are not said. Where the same cubes make an
+    equation with another result, too, it is just this one."""
+    pairs = sorted(product(range(1, 10), repeat=2), key=lambda pair: (pair[0] == pair[1], abs(pair[0] - pair[1]), pair))
+    sides = [f"{a}{sign}{b}" for a, b in pairs if _value(f"{a}{sign}{b}") == result and result not in (a, b)]
+    if not sides or shape.members is not None or spec.usings or theme is not None:
+        what = "no two digits have this result" if not sides else "it is not said which of these are on which side"
+        raise refuse("bad-equation" if not sides else "ambiguous", what, shape.span, "write the whole equation")
+    chosen = f"{sides[0]}={result}"
+    alone = sign in "+*" and result < 10
+    scene.assume(f"the numbers are not said: cubes for {chosen}")
+    names = _cubes(chosen, spec, None, scene, scope, shape.span)
+    return _equation_node(names, None if alone else chosen, spec, shape, scene)
 
 
 def _there(scene: Scene, operator: str | None) -> Ref | None:

@@ -11,8 +11,8 @@ from rpg.passes.schema.resolve.things.world import Scene, Scope
 
 
 def claims(items: tuple[Meaning, ...], names: tuple[str, ...], scene: Scene) -> bool:
-    """ "four cubes in a row: cyan, cyan, brown, brown", "the letters as P A P E R": as many looks as there are blocks of
-    which none is said."""
+    """ "four cubes in a row: cyan, cyan, brown, brown", "the letters as P A P E R": as many looks as there are blocks
+    of which none is said."""
     plain = all(isinstance(x, Noun) and x.det in ("a", "bare") and not x.plural and _one_look(x.traits) for x in items)
     things = [scene.things[n] for n in names]
     looks = [x.traits for x in items if isinstance(x, Noun)]

@@ -44,9 +44,10 @@ def _apposed(scene: Scene) -> None:
     letters = [t for t in blocks if t.kind == "letter"]
     if not counted and not letters:
         return
-    uncounted = [t for t in blocks if t.elastic is not None and (t.color or t.label)]
     spelt = [t for t in letters if t.label]
-    looks = [t for t in blocks if t.color or t.label]
+    blank = all(t.plain for t in counted)  # none of these is one of the letters
+    looks = [t for t in blocks if t.color or (t.label and not blank)]
+    uncounted = [t for t in looks if t.elastic is not None]
     lots = [{t.name for t in lot} for lot in (counted, looks)]
     joint = any(all(lot & {*built.members} for lot in lots) for built in scene.built)
     same = len(counted) > 1 and len(looks) == len(counted) and not joint

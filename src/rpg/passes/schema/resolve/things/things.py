@@ -84,7 +84,7 @@ def create(traits: Traits, scene: Scene, patch: bool) -> Thing:
     return scene.fresh(
         patch=patch, color=traits.colors[0] if traits.colors else None, label=label, kind=kind, quality=traits.quality,
         edge=traits.edge if not patch else None, size=traits.size, shape=traits.shape if patch else None,
-        long=traits.long,
+        long=traits.long, plain=traits.kind == "plain",
         extent=(traits.edge, traits.edge) if patch and traits.edge else None, scheme=traits.scheme,
     )  # fmt: skip
 
@@ -113,7 +113,7 @@ def open_to(thing: Thing, traits: Traits) -> bool:
         return False
     if traits.colors and (thing.color is not None or thing.label is not None):
         return False
-    if traits.labels and (thing.label is not None or (thing.color is not None and thing.kind is None)):
+    if traits.labels and (thing.plain or thing.label is not None or (thing.color is not None and thing.kind is None)):
         return False
     if traits.labels and thing.quality and not _shows_such(traits.labels, thing.quality):
         return False

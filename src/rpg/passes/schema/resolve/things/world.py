@@ -20,7 +20,8 @@ BEYOND = 4 * MAX_BLOCKS
 class Thing:
     """A block or a patch while the instruction is read; what is not said yet is None.
 
-    `open`: the symbols that it may show, where which one was left open. `barred`: colours that it is said not to have.
+    `plain`: it is said to show none. `open`: the symbols that it may show, where which one was left open. `barred`:
+    colours that it is said not to have.
     """
 
     name: str
@@ -28,6 +29,7 @@ class Thing:
     color: str | None = None
     label: str | None = None
     kind: str | None = None
+    plain: bool = False
     quality: str | None = None
     edge: float | None = None
     size: str | None = None

@@ -1,0 +1,72 @@
+"""Digits on a patch of which the sum is told: "there are the digits 3, 4, 6 and 9; the sum of the two digits on the mat
+must be 10", told as those that have it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from itertools import combinations
+from math import prod
+
+from rpg.language.grammar.rows.parting import STOPS, sentences, text_of
+from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, MUST, PATCH
+from rpg.language.lexicon import NUMBER
+from rpg.language.tokens import Token
+
+_DIGITS = f"(?:(?:digit|number)s?(?: {CUBE}s)?|{CUBE}s|ones)"
+_STOCK = re.compile(
+    f"(?:(?:there are|here are|we have|i have|you have|given|with|available) )?(?::|the|only|these| )*(?:{_DIGITS} ?)?"
+    "(?:available|to choose from)?(?: ?(?:are|:))? ?(?P<list>\\d(?: , \\d)+(?: ,)?(?: and)? \\d|\\d to \\d)"
+    "(?: are (?:there|available))?(?: [.;])?"
+)
+_ON = f"(?P<on>(?:on|in) (?:the|an?) (?:{COLOR} )?{PATCH})"
+_MANY = "(?P<many>two|three|2|3)"
+_KIND = "(?P<kind>sum|total|product|difference)"
+_IS = f"(?:{MUST} be|{MUST} equal|is|equals)"
+_RESULT = "(?P<result>\\d+|[a-z]+)(?: [.!])?"
+_ASKED = (
+    re.compile(f"the {_KIND} of the {_MANY} {_DIGITS} (?:that are )?{_ON} {_IS} {_RESULT}"),
+    re.compile(f"the {_MANY} {_DIGITS} {_ON} {MUST} (?:add up|sum up|sum|come) to {_RESULT}"),
+    re.compile(f"(?:put|place|lay|move) {_MANY} (?:{_DIGITS}|of (?:them|these)) {_ON}(?: ,)? (?:whose|so that "
+               f"(?:the|their)|such that their|with the|so their) {_KIND} (?:{_IS} |of )?{_RESULT}"),
+    re.compile(f"(?:put|place|lay|move) {_MANY} (?:{_DIGITS}|of (?:them|these)) {_ON}(?: ,)? (?:that|which|so that "
+               f"they|so they) add up to {_RESULT}"),
+)  # fmt: skip
+_WORKED_OUT: dict[str, Callable[[Sequence[int]], int]] = {
+    "sum": sum, "total": sum, "product": prod, "difference": lambda two: abs(two[0] - two[-1]),
+}  # fmt: skip
+_TELLING = frozenset({"sum", "total", "product", "difference", "add"})
+_FEW = 3
+"""So many ways may be told one by one."""
+
+
+def sums_on_a_patch(tokens: list[Token]) -> list[Token]:
+    """The tokens with the digits that have such a sum, where it is told which digits there are."""
+    if _TELLING.isdisjoint(token.word for token in tokens):
+        return tokens
+    parts = sentences(tokens)
+    stock = _STOCK.fullmatch(text_of(parts[0])) if len(parts) == 2 else None
+    asked = next((m for one in _ASKED if stock and (m := one.fullmatch(text_of(parts[1])))), None)
+    if stock is None or asked is None:
+        return tokens
+    listed = [token for token in parts[0] if token.word in (",", "and", "to") or token.kind == "number"]
+    shown = [int(token.word) for token in listed if token.kind == "number"]
+    digits = [*map(str, range(shown[0], shown[1] + 1) if len(shown) == 2 else shown)]
+    many, result = (NUMBER.get(asked[name]) or int(asked[name]) for name in ("many", "result"))
+    kind = asked.groupdict().get("kind") or "sum"
+    ways = [c for c in combinations(digits, many) if _WORKED_OUT[kind]([*map(int, c)]) == result]
+    if not 0 < len(ways) <= _FEW or (kind == "difference" and many > 2):
+        return tokens
+    those = [f"{' , '.join(c[:-1])} and {c[-1]} must be {asked['on']}" for c in ways]
+    told = f". exactly {asked['many']} of the digits must be {asked['on']} . {'either ' * (len(ways) > 1)}"
+    told += f"{' or '.join(those)} ."
+    say = parts[1][-1 - (parts[1][-1].word in STOPS)].saying  # in the place of the result, which is not lost so
+    ahead = [*map(say, ("there", "are", "the", "digits")), *listed]
+    return [
+        *ahead,
+        *(
+            replace(say(word), kind="number", value=float(word)) if word in digits else say(word)
+            for word in told.split()
+        ),
+    ]

@@ -60,6 +60,7 @@ from rpg.language.grammar.rows.separately import ONE_TOPPED, SEPARATELY
 from rpg.language.grammar.rows.sided import SIDED_AT_ONCE, UTMOST_TOLD
 from rpg.language.grammar.rows.sizes_told import SIZES_TOLD_AT_ONCE
 from rpg.language.grammar.rows.so_many_inside import so_many_inside
+from rpg.language.grammar.rows.so_many_on_each import so_many_on_each
 from rpg.language.grammar.rows.some_letters import some_of_the_letters
 from rpg.language.grammar.rows.specified import REQUIRED, REQUIRED_AT_ONCE, SPECIFIED, SPECIFIED_AT_ONCE
 from rpg.language.grammar.rows.stairs import STAIRS, of_the_figure
@@ -226,7 +227,7 @@ _CHANGES = (
     listed_lines, column_words, labels_counted, announced_rainbow,
     swapped_over, result_told, palindromes, around_named, some_of_the_letters, row_with_ends,
     other_end_named, rows_by_number, told_by_places, _steps_told, _one_of_each, of_each_color, corners_again,
-    not_at_end, of_the_figure, word_again, range_but, not_consecutive, so_many_inside,
+    not_at_end, of_the_figure, word_again, range_but, not_consecutive, so_many_inside, so_many_on_each,
 )  # fmt: skip
 """What is told otherwise before the rows are looked for, in this order."""
 

@@ -31,6 +31,7 @@ from rpg.language.grammar.talk.shape_last import shape_ahead
 from rpg.language.grammar.talk.written_rows import rows_in_words
 from rpg.language.introduced import with_names
 from rpg.language.inventories import stocks_ahead, told_behind, told_plainly
+from rpg.language.kinds_counted import with_kinds
 from rpg.language.materials import without_materials
 from rpg.language.open_colors import with_colors
 from rpg.language.praise import without_praise
@@ -286,7 +287,7 @@ _CANNOT_BOTH_BE = frozenset({"contradiction", "support-cycle", "self-reference"}
 """Why a text is refused of which the first part may be so at the start alone."""
 _PLAINER: tuple[Callable[[list[Token]], tuple[list[Token], list[str]]], ...] = (
     with_names, without_names, with_figures, without_glosses, without_feelings, in_centimetres, with_colors,
-    without_materials, without_praise,
+    with_kinds, without_materials, without_praise,
 )  # fmt: skip
 """What is put in plain words before the words are looked up, each with notes of what it meant."""
 _OTHERWISE: tuple[Callable[[list[Token]], list[Token] | None], ...] = (

@@ -36,6 +36,7 @@ from rpg.language.grammar.rows.labels_counted import labels_counted
 from rpg.language.grammar.rows.lines import LINED_AT_ONCE, MIRRORS_AT_ONCE, RAINBOWS_AT_ONCE
 from rpg.language.grammar.rows.listed_lines import listed_lines
 from rpg.language.grammar.rows.lots_told import LOTS, LOTS_AT_ONCE
+from rpg.language.grammar.rows.lying_there import LYING_THERE_AT_ONCE
 from rpg.language.grammar.rows.not_at_end import NOT_THERE, NOT_THERE_AT_ONCE, not_at_end
 from rpg.language.grammar.rows.not_consecutive import not_consecutive
 from rpg.language.grammar.rows.of_each_color import of_each_color
@@ -131,6 +132,7 @@ _OF_ALL = (
     *NOT_THERE_AT_ONCE,
     *KEPT_AT_ONCE,
     *SEPARATELY,
+    *LYING_THERE_AT_ONCE,
     *OWN_COLOR_AT_ONCE,
     *EACH_THERE,
     *ALTERNATIVES_AT_ONCE,

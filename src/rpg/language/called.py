@@ -170,8 +170,11 @@ def _tells(token: Token) -> bool:
 
 def _strange(token: Token) -> bool:
     """A word that means nothing here, and is no slip for one that does."""
-    if token.word in _THINGS:
-        return True
+    return token.word in _THINGS or unheard(token)
+
+
+def unheard(token: Token) -> bool:
+    """A word that is none of the language, nor a slip for one that is."""
     if token.word in vocabulary() or len(token.word) < 3 or token.raw.isupper():
         return False
     return not slips_of(token.word)

@@ -6,7 +6,7 @@ from rpg.language import lexicon
 from rpg.language.phrases import length_at
 from rpg.language.tokens import Token
 
-_CHOSEN = ("red", "blue", "green", "yellow", "purple", "orange", "cyan", "pink")
+CHOSEN = ("red", "blue", "green", "yellow", "purple", "orange", "cyan", "pink")
 """The colours that are taken, in this order, where they are not named in the text."""
 _COLORS = ("color", "hue")
 _FIRST = tuple(("of", one, color) for one in ("one", "a") for color in _COLORS)
@@ -27,7 +27,7 @@ def with_colors(tokens: list[Token]) -> tuple[list[Token], list[str]]:
     spots = [(_number(tokens, n), n, n + k) for n, k in found]
     if len(spots) < 2 or any(at < 0 for at, _, _ in spots):
         return tokens, []
-    free = [hue for hue in _CHOSEN if hue not in {lexicon.COLOR.get(word) for word in words}]
+    free = [hue for hue in CHOSEN if hue not in {lexicon.COLOR.get(word) for word in words}]
     out: list[Token] = []
     begin = 0
     for hue, (at, behind, end) in zip(free, spots, strict=False):

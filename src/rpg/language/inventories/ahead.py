@@ -18,6 +18,7 @@ from rpg.language.grammar.talk.exactly_so_many import so_many_at
 from rpg.language.inventories.colors_behind import colors_behind
 from rpg.language.inventories.frames import Stock, counted, stock_of
 from rpg.language.inventories.lots import Lot, lots_at, several_at, with_nouns
+from rpg.language.inventories.patches_behind import patches_behind
 from rpg.language.inventories.plain import STOPS, bare, in_words, lots_in_words
 from rpg.language.tokens import Token
 
@@ -51,6 +52,8 @@ def stocks_ahead(tokens: list[Token]) -> Iterator[tuple[list[Token], Wanted]]:
                 continue
             yield [*in_words(stock, part), *(t for p in (*parts[:n], asked, *parts[n + 1 :]) for t in p)], wanted
     yield from ((named, "") for named in _one_by_one(tokens))
+    if (patches := patches_behind(tokens)) is not None:
+        yield [*patches, *tokens], ""
 
 
 def _of_these(told: list[Token]) -> bool:

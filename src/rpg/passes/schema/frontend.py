@@ -16,6 +16,7 @@ from rpg.language.called import without_names
 from rpg.language.chat import as_typed
 from rpg.language.clauses_apart import MOST, clauses_apart
 from rpg.language.clauses_left_out import clauses_left_out
+from rpg.language.color_classes import with_color_classes
 from rpg.language.feelings import without_feelings
 from rpg.language.figures_called import with_figures
 from rpg.language.formulas import formulas_told
@@ -32,6 +33,7 @@ from rpg.language.grammar.talk.that_is import that_is
 from rpg.language.grammar.talk.written_rows import rows_in_words
 from rpg.language.introduced import with_names
 from rpg.language.inventories import stocks_ahead, told_behind, told_plainly
+from rpg.language.kinds_counted import with_kinds
 from rpg.language.materials import without_materials
 from rpg.language.open_colors import with_colors
 from rpg.language.praise import without_praise
@@ -303,8 +305,8 @@ _NOT_KNOWN = frozenset({"unknown-word", "misplaced"})
 _CANNOT_BOTH_BE = frozenset({"contradiction", "support-cycle", "self-reference"})
 """Why a text is refused of which the first part may be so at the start alone."""
 _PLAINER: tuple[Callable[[list[Token]], tuple[list[Token], list[str]]], ...] = (
-    with_names, without_names, with_figures, without_glosses, without_feelings, in_centimetres, with_colors,
-    without_materials, without_praise,
+    with_names, without_names, with_figures, with_color_classes, without_glosses, without_feelings, in_centimetres,
+    with_colors, with_kinds, without_materials, without_praise,
 )  # fmt: skip
 """What is put in plain words before the words are looked up, each with notes of what it meant."""
 _OTHERWISE: tuple[Callable[[list[Token]], list[Token] | None], ...] = (

@@ -10,6 +10,7 @@ _WAY = "((?:counter - ?|counter ?|anti - ?|anti ?)?clockwise)"
 _QUARTER = "(?:quarter(?: of a)? turn|90 - degrees? (?:turn|twist|rotation)|90 degrees? (?:turn|twist|rotation))"
 _HALF = "(?:half(?: a)? turn|180 - degrees? (?:turn|twist|rotation)|180 degrees? (?:turn|twist|rotation))"
 _SEEN = "(?:(?: ,)?(?: as)? (?:seen|viewed) from above)?"
+_DEGREES = "[\\d.]+ (?:degrees?|deg|°)"
 _TOP = "(?:top|top face|upper face|upper side)"
 
 FACED_AT_ONCE: tuple[Turn, ...] = (
@@ -21,6 +22,10 @@ FACED_AT_ONCE: tuple[Turn, ...] = (
     (f"^(turn|rotate) {_X} (?:by )?an? {_HALF}{_SEEN}$", "{1} {2} by 180 degrees"),
     (f"^give ([^,]+?) an? (\\d+)(?: -)? degrees? (?:{_WAY} )?(?:turn|twist|rotation|spin)(?: {_WAY})?{_SEEN}$",
      "turn {1} by {2} degrees {3} {4}"),
+    (f"^give ([^,]+?) an? (?:{_WAY} )?(?:turn|twist|rotation|spin) (?:of|by) ({_DEGREES})(?: {_WAY})?{_SEEN}$",
+     "turn {1} by {3} {2} {4}"),
+    (f"\\b((?:turn|rotate|twist|spin)(?:e?d)?\\b(?: [^ .,:]+)*?) (?:(?:by|through|of|with|at) an angle of|of|for|with) "
+     f"(?=(?:about )?{_DEGREES}(?= |$))", "{1} by "),
     (f"^(?:make|do|let) an? {_QUARTER} {_WAY} with {_X}{_SEEN}$", "turn {2} by 90 degrees {1}"),
     (f"^(turn|rotate) {_X} an? {_QUARTER} {_WAY}{_SEEN}$", "{1} {2} by 90 degrees {3}"),
     (f"^the {_TOP}(?: face)? of {_X} ({MUST} be|is) (upside down|upright|readable)$", "{1} {2} {3}"),

@@ -40,6 +40,7 @@ from rpg.language.grammar.rows.labels_there import LABELS_THERE
 from rpg.language.grammar.rows.lines import LINED_AT_ONCE, MIRRORS_AT_ONCE, RAINBOWS_AT_ONCE
 from rpg.language.grammar.rows.listed_lines import listed_lines
 from rpg.language.grammar.rows.lots_told import LOTS, LOTS_AT_ONCE
+from rpg.language.grammar.rows.lying_there import LYING_THERE_AT_ONCE
 from rpg.language.grammar.rows.not_at_end import NOT_THERE, NOT_THERE_AT_ONCE, not_at_end
 from rpg.language.grammar.rows.not_consecutive import not_consecutive
 from rpg.language.grammar.rows.of_each_color import of_each_color
@@ -70,6 +71,7 @@ from rpg.language.grammar.rows.separately import ONE_TOPPED, SEPARATELY
 from rpg.language.grammar.rows.sided import SIDED_AT_ONCE, UTMOST_TOLD
 from rpg.language.grammar.rows.sizes_told import SIZES_TOLD_AT_ONCE
 from rpg.language.grammar.rows.so_many_inside import so_many_inside
+from rpg.language.grammar.rows.so_many_on_each import so_many_on_each
 from rpg.language.grammar.rows.some_letters import some_of_the_letters
 from rpg.language.grammar.rows.spawned import SPAWNED
 from rpg.language.grammar.rows.specified import REQUIRED, REQUIRED_AT_ONCE, SPECIFIED, SPECIFIED_AT_ONCE
@@ -151,6 +153,7 @@ _OF_ALL = (
     *NOT_THERE_AT_ONCE,
     *KEPT_AT_ONCE,
     *SEPARATELY,
+    *LYING_THERE_AT_ONCE,
     *OWN_COLOR_AT_ONCE,
     *EACH_THERE,
     *ALTERNATIVES_AT_ONCE,
@@ -255,7 +258,7 @@ _CHANGES = (
     sums_asked, sums_on_a_patch, one_row_and_one, listed_lines, column_words, labels_counted, announced_rainbow,
     swapped_over, result_told, palindromes, one_more, all_sides, around_named, some_of_the_letters, row_with_ends,
     other_end_named, rows_by_number, told_by_places, _steps_told, _one_of_each, of_each_color, corners_again,
-    not_at_end, of_the_figure, word_again, range_but, not_consecutive, so_many_inside,
+    not_at_end, of_the_figure, word_again, range_but, not_consecutive, so_many_inside, so_many_on_each,
 )  # fmt: skip
 """What is told otherwise before the rows are looked for, in this order."""
 

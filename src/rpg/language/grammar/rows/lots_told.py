@@ -35,6 +35,8 @@ _FOUR = f"(?=.*\\bfour\\b|(?:.*?\\b(?:{'|'.join(sorted(lexicon.COLOR))})\\b){{4}
 _WHO = (f"(?:(?:my|our|the|a|some) (?:little |young )?(?:{PEOPLE}|toddler)|"
         "somebody|someone|people|they|we|i)")  # fmt: skip
 _NUMBERED = "(?: ones| numbers| digits)"
+_STRANGER = "(?:outlier|odd one out|odd one|stranger|intruder|misfit)"
+_AS = "(?:being|is|as|acting as|serving as|which is)(?: the| an?| its)?(?: only| single| one)?"
 
 
 def _of_their_kind() -> tuple[Turn, ...]:
@@ -96,6 +98,12 @@ LOTS_AT_ONCE: tuple[Turn, ...] = (
      "there are {1}"),
     (f"^(?:the )?({COLOR}(?: , {COLOR})*(?: ,)? and {COLOR} (?:blocks|cubes)) : ((?:put|stack|place|build|make|"
      "arrange|line|move|set|lay) .+)$", "there are the {1} . {2}"),
+    # two groups, each with strangers from the other
+    (f"^(?:put |sort |part |split |divide )?({MANY}) ({COLOR})(?: {_BLOCK})? and ({MANY}) (?!\\2)({COLOR}) {_BLOCK} (?:in|into) "
+     f"(?:two {_GROUPS} ?[,:] (?:one|an?) (?:\\2|\\4)(?: one)?(?: ,| and) (?:one|an?) (?:\\2|\\4)(?: one)?|an? (?:\\2|\\4)(?: "
+     f"one)? and an? (?:\\2|\\4) {_GROUP})(?: ,)? (?:but |and |though )?((?:each|with) .*?\\b(?:{_STRANGER}s?|"
+     "(?:other|wrong) color)\\b.*?)(?: in it| inside| inside it)?$",
+     "sort {1} {2} and {3} {4} blocks by color , but {5}"),
     # what is sorted
     (f"^sort by color : (.+? into the {COLOR} {_PLACE} .+)$", "put {1}"),
     ("^group by kind : (.+? in one (?:cluster|group|pile) , .+? in another(?: one)?)$", "put {1}"),
@@ -109,6 +117,14 @@ LOTS_AT_ONCE: tuple[Turn, ...] = (
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 LOTS: tuple[Turn, ...] = (
+    # who is the stranger
+    (f"^(.*\\b(?:one|an?|single) ({COLOR})\\b.*?)(?: together)? (?:as|in|into|to) (?:one|an?|a single) ({_GROUP})(?: ,)? "
+     f"(?:and |with )?the \\2(?: {_BLOCK})? {_AS} {_STRANGER}$", "{1} in one {3}"),
+    (f"^((?:{_MAKE} )?an? {_GROUP} of .+?)(?: ,)? with (?:one|an?|a single) ({COLOR})(?: {_BLOCK})? {_AS} {_STRANGER}$",
+     "{1} with one {2} outlier"),
+    (f"^(?:group|cluster|bunch(?: together)?) (?:the )?({_COUNTED})(?: ,)? with (?:exactly )?(?:one|an?|a single) "
+     f"(?:({COLOR})(?: {_BLOCK})? {_AS} {_STRANGER}|{_STRANGER} , an? ({COLOR}) {_BLOCK})$",
+     "make a group of {1} with one {2} {3} outlier"),
     # "the other two are blue and go on the right half"
     (f"^(?:({MANY}) of (?:the {MANY} (?:blocks|cubes)|them)|(?:the (?:other|remaining) )({MANY}))(?: blocks| cubes| "
      f"ones)? are ({COLOR}) and ((?:go|belong|lie|stand|sit|{MUST}|end) .+)$",

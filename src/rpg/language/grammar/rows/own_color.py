@@ -10,7 +10,7 @@ from rpg.language.grammar.rows.vocabulary import COLOR, MANY, MUST, PATCH, PATCH
 _BLOCK = "(?:block|cube|brick|box)"
 _BLOCKS = "(?:blocks|cubes|bricks|boxes|block|cube|brick|box)"
 _MATS = f"(?:{PATCHES}|{PATCH})"
-_A = f"(?:an? |one |the )?({COLOR})"
+_A = f"(?:an? |one |the )?({COLOR})(?: one)?"
 _LISTS = (
     (f"{_A} and {_A}", "a {0} and a {1}"),
     (f"{_A} , {_A}(?: ,| and| , and) {_A}", "a {0} , a {1} and a {2}"),
@@ -23,7 +23,10 @@ _AND = "(?: ,| and| , and| plus)"
 _OTHER = ("(?:(?:of|in|with|that has) (?:(?:another|the wrong|some other) color(?: than its(?: own)?)?|an? (?:color )?"
           "(?:other|different)(?: color)? (?:than|from) its(?: own)?(?: color)?)|(?:that|which) (?:does not match(?: "
           "its(?: own)? color| it)?|is not (?:of |in )?its(?: own)? color|(?:has|is of) (?:another|a different) color "
-          "(?:than|from) it(?:s own)?)|not of its(?: own)? color)")  # fmt: skip
+          "(?:than|from) it(?:s own)?|does not have (?:its(?: own)?|the same) color(?: as it)?)|not of its(?: own)? color)"
+          )  # fmt: skip
+_OWN = ("(?:(?:of|in|with|that has|which has|having) (?:its(?: own)?|their own|the same) color|(?:that|which) (?:matches "
+        "it|matches its(?: own)? color|is of its(?: own)? color))")  # fmt: skip
 _NONE = "no block may be on the patch of its own color"
 
 
@@ -38,7 +41,9 @@ def _stocks() -> tuple[Turn, ...]:
                 hues = [f"{{{n + nth + 1}}}" for n in range(each.count("{"))]
                 lots = each.format(*hues)
                 rest = f"{{{len(hues) + nth + 1}}}"
-                for lot in (f"(?:{MANY} )?{ones} (?:,|:|\\() {listed}(?: \\))?", f"{listed} {ones}"):
+                for lot in (
+                    f"(?:{MANY} )?{ones}(?: on the table)? (?:,|:|\\() {listed}(?: \\))?", f"{listed} {ones}"
+                ):  # fmt: skip
                     told = f"{ahead}there are {lots} {one} and {lots} {other}"
                     rows += [
                         (f"{begun}{_THERE}{lot}{_AND} {so_many}$", told),
@@ -48,6 +53,10 @@ def _stocks() -> tuple[Turn, ...]:
 
 
 OWN_COLOR_AT_ONCE: tuple[Turn, ...] = (
+    (f"^(?:{PUT} |(?:i|we) (?:want|would like) )?(?:all|each|every)(?: one)?(?: of)?(?: the)?(?: {MANY})? {_BLOCKS}(?: "
+     f"{IS}|(?: to)? (?:be|go|lie|end up))? on (?:an?|some|any|one of the) (?:{PATCH}|{PATCHES})(?: ,)? (?:but|and|though|"
+     f"only) (?:none|not one|not|never|no {_BLOCK})(?: of (?:them|these|the blocks))?(?: {IS})?(?: on)? (?:the|an?)(?: "
+     f"{PATCH}| one)? {_OWN}$", f"every block must be on a patch . {_NONE}"),
     (f"^{PUT} (?:exactly )?(?:one|an?) {_BLOCK} on (?:each|every) {PATCH}(?: ,)? (?:but|and) (?:none|not one)(?: of "
      f"them)? on (?:(?:the|an?) {PATCH} of )?its own color$", f"each patch gets exactly one block . {_NONE}"),
 )  # fmt: skip

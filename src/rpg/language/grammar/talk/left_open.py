@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from rpg.language.grammar.core import Parser
 from rpg.language.grammar.talk.slots import Patterns
 
@@ -21,7 +23,7 @@ _MATTERS = (
     "do|does not really|actually|particularly? matter|make_a_difference|make_any_difference to_me|to_us|here|at_all?"
 )
 _DOES = ("will|would do|do_just_fine|do_fine|work|be_fine|be_ok|be_okay|suit_me",
-         "is|are|be perfectly|just? fine|ok|okay|good|acceptable|allowed|all_right|alright with|by|for? me|us?",
+         "is|are|be perfectly|just? fine|ok|okay|good|acceptable|allowed|possible|all_right|alright with|by|for? me|us?",
          "works|work|does|do|counts|count|suits|suit for_me|for_us|me?")  # fmt: skip
 WHICHEVER = Patterns(
     f"it|that|this really|actually? {_MATTERS} {_WHICH}",
@@ -41,15 +43,37 @@ WHICHEVER = Patterns(
     *(f"{which} {_NUMBERS}? {_ONES}? {_THEM}? {does}" for which in ("any", "either|anyone") for does in _DOES),
 )
 """What leaves open which of several it is, wherever it is set off."""
+_OUT_OF_THEM = Patterns(f"any|either|whichever one|{_NUMBERS}? {_THEM}", f"any|whichever one|{_NUMBERS}")
+"""The same of some that are taken out of several, in short: "one of the four, any of them"."""
+_OF_THESE = frozenset({"the", "these", "those", "my", "our", "your", "them"})
+_ONE = frozenset({"one", "either", "anyone"})
+_CHOICE = frozenset({"or", "one", "any", "either", "some", "whichever", "side", "order", "way", "corner", "end"})
 
 
 def left_to_choose(p: Parser, at: int) -> int:
-    """The position behind words that leave open which ones; not where they speak of another number than the rest."""
-    for end in reversed([*WHICHEVER.matches(p, at)]) if p.stands(at, WHICHEVER.firsts) else ():
+    """The position behind words that leave open which ones; not where they speak of another number than the rest, or
+    of one of those that are all asked for."""
+    found = [*WHICHEVER.matches(p, at)] if p.stands(at, WHICHEVER.firsts) else []
+    if not found and p.stands(at, _OUT_OF_THEM.firsts) and any(_taken(p, n) for n in range(at)):
+        found = [*_OUT_OF_THEM.matches(p, at)]
+    for end in reversed(found):
         told = {p.number(n) for n in range(at, end) if p.words[n - 1] != "the"} - {None, 1}
-        if not told or told <= {p.number(n) for n in (*range(at), *range(end, p.end))}:
+        if told and not told <= {p.number(n) for n in (*range(at), *range(end, p.end))}:
+            continue
+        if _ONE.isdisjoint(p.words[at:end]) or _chosen_from(p, (*range(at), *range(end, p.end))):
             return end
     return 0
+
+
+def _taken(p: Parser, at: int) -> bool:
+    """ "(Exactly) one of the ...": so many out of several that were named."""
+    return p.stands(at, ("of",)) and p.stands(at + 1, _OF_THESE) and at > 0 and p.number(at - 1) is not None
+
+
+def _chosen_from(p: Parser, rest: Iterable[int]) -> bool:
+    """Whether not all of what is named is asked for."""
+    told = [p.words[n] for n in rest]
+    return not _CHOICE.isdisjoint(told) or ("and" not in told and not {"a", "an"}.isdisjoint(told))
 
 
 FREE = (
@@ -81,7 +105,7 @@ FREE = (
     "regardless of the order", "regardless of order", "the exact order does not matter", "in random order",
     "in a random order", "hello", "hi", "hello there", "hi there", "hello robot", "hi robot", "hey", "hey robot",
     "hello everyone", "good morning", "good day", "dear robot", "ok", "okay", "alright", "great", "your choice",
-    "up to you", "as you like", "you choose", "either is fine",
+    "up to you", "as you like", "you choose",
     "whichever", "whatever", "your pick", "you pick", "take your pick", "your call", "you decide", "you can decide",
     "whatever is easier", "whichever is easier", "whatever is easiest", "go", "easy one first", "next level", "today",
     "i do not care which of the others is on top", "please do one thing", "not even a bit", "not one bit",
@@ -89,12 +113,12 @@ FREE = (
     "it is all the same to me", "it is all the same to us", "it is all one to me", "it makes no difference",
     "makes no difference", "it makes no difference to me", "makes no difference to me", "i really do not care",
     "i do not really care", "i really do not mind", "either way works", "either way suits me",
-    "that will do", "that will do fine", "that will be fine", "that would do", "either will do", "either one will do",
+    "that will do", "that will do fine", "that will be fine", "that would do",
     "i could not care less", "i could not care less which", "either side will do", "either way will do",
     *(f"{lead}{both}{free}" for lead in ("", "and ") for both in ("both count", "either counts", "either one counts")
       for free in ("", " as success", " as a success", " as done", " as solved", " as right", " as correct")),
     *(f"{both} {free}"
-      for both in ("both is", "both are", "either is", "either side is", "either way is", "either one is")
+      for both in ("both is", "both are", "either side is", "either way is")
       for free in ("acceptable", "fine", "ok", "okay", "all right", "alright", "good", "possible", "allowed")),
     *(f"{lead} {which}"
       for lead in ("it does not matter", "does not matter", "no matter", "i do not care", "do not care",

@@ -146,11 +146,13 @@ def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope
         structured = False
     if spec.patterns and any(p.unit == "stack" for p in spec.patterns):
         raise refuse("misplaced", "towers are spoken of, but nothing is stacked", spec.patterns[0].span, "say 'stack'")
+    others = len(scene.exclusive)  # what is told of it and of blocks that are named later
     goals = [*goals, *places(ref, spec, scene, scope, span)]
     if spec.ats and scope.start and (scene.built or not table_sides(spec.ats)):
         raise refuse("misplaced", "this is a place in a structure of the start", spec.ats[0].span, "say it beside that")
     goals += loose_ats(ref, spec, scene, scope, span) if spec.ats else []
     told = structured or (spec.thats and not scope.start) or (verb == "be" and spec.absolutes)
+    told = told or len(scene.exclusive) > others
     if not goals and not told:
         hint = "say for example 'on the blue block' or 'in a row'"
         raise refuse("no-goal", "it is not said where or how", span, hint)

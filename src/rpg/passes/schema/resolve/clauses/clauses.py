@@ -340,7 +340,7 @@ def _exist(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         return []
     if is_shape(clause.theme):
         return shaped(clause, spec, scene, scope)
-    theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
+    theme = refer(one_for_each_patch(clause.theme, spec.places, scene), scene, scope) if clause.theme else Ref()
     goals = places(theme, spec, scene, scope, clause.span)
     if not goals:
         raise refuse("no-goal", "it is not said where", clause.span, "say where the blocks should be")

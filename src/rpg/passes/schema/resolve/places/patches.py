@@ -9,13 +9,14 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.node import EACH, members
 from rpg.ir.schema import COLORS_UNSAID
-from rpg.language.meaning import Amount, Coord, Loc, Meaning, Noun, Traits, replace
+from rpg.language.meaning import Amount, Coord, Loc, Meaning, Noun, Pronoun, Traits, replace
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj
 from rpg.passes.schema.resolve.places.lots import one_lot_each
 from rpg.passes.schema.resolve.things.operands import spread
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.second_patch import the_only_patch
 from rpg.passes.schema.resolve.things.shares import just_these, so_many_each
+from rpg.passes.schema.resolve.things.things import alike, matching
 from rpg.passes.schema.resolve.things.world import Mention, Ref, Scene, Scope, refuse
 
 MAX_SHARED = 3
@@ -336,19 +337,39 @@ def _so_many(names: tuple[str, ...], patch: str, least: int, most: int, span: Sp
 
 
 def one_for_each_patch(theme: Meaning, places: list[Meaning], scene: Scene) -> Meaning:
-    """ "one block on each patch", of as many different blocks as there are patches: exactly one on each."""
-    each = [
-        p for p in places if isinstance(p, Loc) and p.rel == "on" and not p.negated and isinstance(p.landmark, Noun)
-    ]
-    every = any(isinstance(p.landmark, Noun) and p.landmark.head == "patch" and p.landmark.det == "each" for p in each)
-    plain = isinstance(theme, Noun) and theme.head == "block" and theme.traits == Traits() and theme.part_of is None
-    if not every or not plain or not isinstance(theme, Noun) or theme.amount != Amount(1, 1):
+    """ "one block on each patch", "two blocks on each", of as many different blocks as that takes: exactly so many on
+    each. What is only "each" in `places` is each patch then."""
+    if not isinstance(theme, Noun) or theme.traits != Traits() or theme.part_of is not None or theme.conditions:
         return theme
-    patches = [t for t in scene.things.values() if t.patch]
+    one = Amount(1, 1) if theme.head == "any" and not theme.plural else None  # "put one on each"
+    many = theme.amount or one
+    if theme.det not in ("a", "bare") or theme.head == "patch" or many is None or many.low != many.high:
+        return theme
     blocks = [t for t in scene.blocks() if t.declared and not t.extra]
-    looks = {(t.color, t.label) for t in blocks}
-    told = len(blocks) == len(patches) == len(looks) and len(blocks) > 1
-    return replace(theme, amount=Amount(1, 1, True)) if told else theme
+    for n, place in enumerate(places):
+        mark = place.landmark if isinstance(place, Loc) and place.rel == "on" and not place.negated else None
+        patches = _each_of_so_many(mark, scene)
+        if isinstance(place, Loc) and len(blocks) == many.low * patches > 1 and (one or not alike(blocks)):
+            if _points(mark):
+                places[n] = replace(place, landmark=Noun(head="patch", det="each", span=place.span))
+            return replace(theme, head="block", det="bare", amount=many._replace(strict=True))
+    return theme
+
+
+def _each_of_so_many(mark: Meaning | None, scene: Scene) -> int:
+    """How many patches these are, where something is on each of them; none where it is on no such."""
+    there = [t for t in scene.things.values() if t.patch]
+    whole = mark.part_of or mark if isinstance(mark, Noun) and mark.det == "each" else None
+    if _points(mark) or not isinstance(whole, Noun) or whole.head != "patch":
+        return len(there) if _points(mark) else 0
+    counted = whole.amount.low if whole.amount is not None and not there else 0
+    return counted or len(matching(whole.traits, scene, True))
+
+
+def _points(mark: Meaning | None) -> bool:
+    """ "each", "each of them"."""
+    of = mark.part_of if isinstance(mark, Noun) and mark.det == "each" else None
+    return any(isinstance(x, Pronoun) and x.word == word for x, word in ((mark, "each"), (of, "them")))
 
 
 def dealt(units: list[tuple[str, ...]], patches: tuple[str, ...], span: Span) -> g.Goal:

@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from itertools import combinations
 from math import comb
 
 from rpg.core.diagnostics import Refusal, Span
 from rpg.ir import goal as g
+from rpg.ir import relations as r
 from rpg.ir.node import EACH
-from rpg.language.meaning import Amount, Loc, Meaning, Noun, Pronoun, replace
-from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj, negation
+from rpg.language.meaning import Amount, Loc, Meaning, Noun, Pronoun, Traits, replace
+from rpg.passes.schema.resolve.goals.logic import Atoms, conj, denied, disj, negation
 from rpg.passes.schema.resolve.orders.positions import looks
+from rpg.passes.schema.resolve.places.alone import beyond
 from rpg.passes.schema.resolve.places.mutual import ALL_OTHERS, of_every_two, reciprocal, some_other
 from rpg.passes.schema.resolve.things.operands import DIRECTIONS, LEVEL
-from rpg.passes.schema.resolve.things.world import Ref, Scene, Thing, refuse
+from rpg.passes.schema.resolve.things.world import Exclusive, Ref, Scene, Thing, refuse
 
 
 def to_each_other(theme: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
@@ -53,6 +56,17 @@ def _among_some(theme: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms | None:
         return _just_these(theme.names[: many.low], theme.names, loc, span)
     lots = combinations(theme.names, many.low)  # these will differ in looks: whichever of them
     return [disj([conj(_just_these(lot, theme.names, loc, span), span) for lot in lots], span)]
+
+
+def from_all_others(theme: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms | None:
+    """ "One of the five lies apart": from each other block that the task has in the end."""
+    single = len(theme.names) == 1 and theme.quant is None and not (theme.patch or theme.built)
+    alone = loc.rel == "apart" and getattr(loc.landmark, "word", "") == "each other"
+    if not (single and alone) or loc.negated or scene.denying:
+        return None
+    near: Callable[[str], g.Goal] = lambda n: g.Not(goal=r.Apart(a=theme.names, b=(n,), span=span), span=span)  # noqa: E731
+    scene.exclusive.append(Exclusive(theme.names, near, span, Traits()))
+    return [conj([denied(near(n), span) for n in beyond(scene.exclusive[-1], scene)])]
 
 
 def _of_some(span: Span) -> Refusal:

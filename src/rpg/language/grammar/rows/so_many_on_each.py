@@ -1,0 +1,65 @@
+"""Blocks that are dealt out by number: "put six blocks on the two mats, two on the red one and four on the blue one",
+"three of the six blocks on the red mat and three on the blue one", told of one patch after the other."""
+
+from __future__ import annotations
+
+import re
+
+from rpg.language import lexicon
+from rpg.language.grammar.rows.parting import text_of
+from rpg.language.grammar.rows.turned import Turns, turned
+from rpg.language.grammar.rows.vocabulary import COLOR, MANY, MUST, PATCH, PATCHES
+from rpg.language.tokens import Token
+
+_DEAL = "(?:please )?(?:put|place|set|move|bring|lay|distribute|spread|share|divide|deal|split)(?: out)?"
+_OVER = "(?:out )?(?:on|onto|over|among|between|across|in|into|to)"
+_GO = f"(?:{MUST} (?:be|go|lie)|are|is|go|goes|lie|lies)"
+_BLOCKS = f"(?:(?P<color>{COLOR}) )?(?:blocks|cubes|bricks|boxes)"
+_ON = f"(?:on|onto|in|into) (?:the )?({COLOR})"
+_SOME = f"(?:exactly |just )?({MANY})(?: (?:of (?:them|these)|others|more))?"
+_LOT = f"{_SOME}(?: {_GO})? {_ON}(?: one| {PATCH})?"
+_NEXT = "(?: ,| ;| and| , and)"
+_BEGIN, _END = "(?:^|(?<=[.!?;:] ))", "(?= [.!;]|$)"
+_DEALT = (
+    re.compile(
+        f"{_BEGIN}(?:{_DEAL} )?(?:all )?(?:of )?(?:the |my )?(?P<many>{MANY}) {_BLOCKS}(?P<over>(?: {_GO})? {_OVER} (?:the "
+        f"|these |my |both )?(?:(?P<marks>{MANY}) )?{PATCHES})?(?: [,:(]| so that) (?P<lots>{_LOT}(?:{_NEXT} {_LOT})+)"
+        f"(?: \\))?{_END}"
+    ),
+    re.compile(
+        f"{_BEGIN}(?:{_DEAL} )?(?:exactly |just )?(?P<some>{MANY}) of (?:the |my )?(?P<many>{MANY}) {_BLOCKS}(?: {_GO})? "
+        f"(?:on|onto|in|into) (?:the )?(?P<there>{COLOR}) {PATCH}(?P<lots>(?:{_NEXT} {_LOT})+){_END}"
+    ),
+)
+_LOTS = re.compile(_LOT)
+_OUT_OF = frozenset({"of", ",", ":", "(", "that"})
+
+
+def so_many_on_each(tokens: list[Token]) -> list[Token]:
+    """The tokens with how many of all the blocks are to be on each patch; as they are where the numbers do not fit."""
+    words = {token.word for token in tokens}
+    if words.isdisjoint(lexicon.PATCH) or words.isdisjoint(_OUT_OF):
+        return tokens
+    text = text_of(tokens)
+    for pattern in _DEALT:
+        if (dealt := pattern.search(text)) is not None and (told := _told(dealt.groupdict())) is not None:
+            return turned(tokens, Turns([(f"^{re.escape(dealt.group())}$", told)]))
+    return tokens
+
+
+def _told(dealt: dict[str, str]) -> str | None:
+    """How many of them go on each patch; nothing where there are fewer than are dealt, or where some are left over of
+    those that are all put there."""
+    if "over" in dealt and not (dealt["over"] or re.search(f"\\b{PATCH}\\b", dealt["lots"])):
+        return None  # "two on red and four on blue" are on blocks
+    some = [(dealt["some"], dealt["there"])] if "some" in dealt else []
+    lots = {color: _number(many) for many, color in (*some, *_LOTS.findall(dealt["lots"]))}
+    total, dealt_out = _number(dealt["many"]), sum(lots.values())
+    if dealt_out > total or (dealt_out < total and not some) or _number(dealt.get("marks") or str(len(lots))) != len(lots):
+        return None
+    blocks = f"the {total} {dealt['color'] or ''} blocks"
+    return " . ".join(f"exactly {many} of {blocks} must be on the {color} patch" for color, many in lots.items())
+
+
+def _number(word: str) -> int:
+    return int(word) if word.isdigit() else int(lexicon.NUMBER[word])

@@ -250,9 +250,10 @@ _ASKED = re.compile(
 
 def _describes(clause: Clause, text: str, seen: bool) -> bool:
     """Whether a clause says how it is, and not what is wanted."""
-    if clause.lemma == "fact" or there_is(clause) or there_so(clause):
-        return True
-    return seen and clause.mode in ("goal", "given") and _ASKED.search(text[slice(*clause.span)]) is None
+    asked = _ASKED.search(text[slice(*clause.span)]) is not None
+    if clause.lemma == "fact":
+        return not asked
+    return there_is(clause) or there_so(clause) or (seen and clause.mode in ("goal", "given") and not asked)
 
 
 def _of_the_end(clause: Meaning, seen: bool, whole: bool = False) -> Meaning:

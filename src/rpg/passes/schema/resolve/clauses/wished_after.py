@@ -11,19 +11,23 @@ from rpg.language.meaning import (
     Chain,
     Clause,
     In,
+    Into,
     Loc,
     Manner,
     Meaning,
     Noun,
+    OrderBy,
     Pronoun,
     Quality,
     Structure,
+    Toward,
     Traits,
+    Using,
     parts_of,
     replace,
 )
 from rpg.passes.schema.resolve.clauses.begun_facts import indicative
-from rpg.passes.schema.resolve.clauses.joined_facts import BESIDES, asked_of, how_far_off
+from rpg.passes.schema.resolve.clauses.joined_facts import BESIDES, asked_of, how_far_off, moves
 
 _SHOULD = re.compile(r"\b(?:must|should|shall|has to|have to|needs? to|ought|(?:is|are) (?:not )?to)\b", re.IGNORECASE)
 _STOP = re.compile(r"[.!?]")
@@ -34,7 +38,12 @@ def wished_after(chains: tuple[Chain, ...], text: str, final: Sequence[bool]) ->
     chains = (*chains[:1], *(_those_left(_so_many_left(chain), text) for chain in chains[1:]))
     found = list(chains)
     for n, chain in enumerate(chains):
-        told = final[n] or not _so(chain, text) or how_far_off(chains[n : n + 2])
+        if final[n]:
+            continue
+        if parted := _wished_beside(chains, n, text):
+            found[n] = parted
+            continue
+        told = not _so(chain, text) or how_far_off(chains[n : n + 2])
         wish = None if told else _wish(chains, n, text)
         if wish is None:
             continue
@@ -46,9 +55,48 @@ def wished_after(chains: tuple[Chain, ...], text: str, final: Sequence[bool]) ->
         if (wish.mode == "command" and not besides) or any(_of_these(wish.theme, fact) for fact in facts):
             found[n] = replace(chain, clauses=begun)
             found = [_remaining(x, wish, facts[-1]) for x in found]
-        elif all(map(_definite, facts)):
+        elif all(map(_definite, facts)) and not _of_a_part(wish):
             found[n] = replace(chain, clauses=(*begun, *map(_known, facts)), links=(*chain.links, *chain.links))
     return tuple(found)
+
+
+def _wished_beside(chains: Sequence[Chain], n: int, text: str) -> Chain | None:
+    """ "The blue block is on the mat, and the red one should be there too": the same in one sentence; and where a block
+    is on one thing and should be on another. None where it is told otherwise."""
+    chain, after = chains[n], chains[n + 1 : n + 2]
+    count = next((k for k, c in enumerate(chain.clauses) if not _fact(c, text)), len(chain.clauses))
+    wish = (*chain.clauses, *(c for x in after for c in x.clauses), None)[count]
+    if not count or not isinstance(wish, Clause) or wish.mode != "goal" or wish.negated:
+        return None
+    facts = tuple(c for c in chain.clauses[:count] if isinstance(c, Clause))
+    said = text[facts[-1].span[1] : wish.span[1]]
+    one_sentence = _JOINED.match(said) and _STOP.search(said) is None and {*chain.links[: count + 1]} == {"and"}
+    if not one_sentence or _SHOULD.search(said) is None or _RELATIVE.search(said):
+        return None
+    begun: tuple[Meaning, ...] = tuple(replace(c, mode="start") for c in facts)
+    if not any(moves(fact, wish) for fact in facts):
+        if any(_of_these(wish.theme, fact) for fact in facts) or _of_a_part(wish) or not all(map(_definite, facts)):
+            return None
+        pair = [Chain(clauses=x, links=("and",) * len(x), span=chain.span) for x in (facts, (wish,))]
+        if how_far_off(pair):
+            return None
+        begun = (*begun, *map(_known, facts))
+    rest = chain.links[count:]
+    return replace(chain, clauses=(*begun, *chain.clauses[count:]), links=(*("and" for _ in begun), *rest))
+
+
+def _fact(clause: Meaning, text: str) -> bool:
+    """Whether a clause says where something is, and not how that should be, or how it looks."""
+    if not isinstance(clause, Clause) or clause.negated or clause.mode != "goal":
+        return False
+    said = text[slice(*clause.span)]
+    placed = all(isinstance(x, Loc | In | Into | OrderBy | Toward) for x in clause.adjuncts)
+    made = _made_so(Chain(clauses=(clause,), links=("and",), span=clause.span), said)
+    return _SHOULD.search(said) is None and (made or (clause.lemma == "fact" and placed))
+
+
+_JOINED = re.compile(r"\s*(?:[,;]|[-–—] |and\b|but\b)", re.IGNORECASE)
+_RELATIVE = re.compile(r"\b(?:which|who|whose|that|where)\b", re.IGNORECASE)
 
 
 def _so_many_left(chain: Chain) -> Chain:
@@ -127,13 +175,22 @@ def _wish(chains: tuple[Chain, ...], n: int, text: str) -> Clause | None:
 
 
 def _of_these(theme: Meaning | None, fact: Clause) -> bool:
-    """Whether it is one of the things that the fact tells of, or "it", "they"."""
+    """Whether it is one of the things that the fact tells of, or "it", "they", "the tower"."""
     if any(isinstance(x, Pronoun) for x in parts_of(theme)):
         return True
+    if isinstance(theme, Structure) and theme.det == "the" and theme.members is None:
+        return any(isinstance(x, Structure) and x.kind == theme.kind for x in parts_of(fact)) or fact.verb == theme.kind
     if isinstance(theme, Noun) and theme.head == "any" and theme.traits == Traits():
         return True  # "exactly one (of them)"
     named = [x.traits for x in parts_of(fact) if isinstance(x, Noun) and x.head != "patch"]
     return any(_looks_so(x.traits, one) for x in parts_of(theme) if isinstance(x, Noun) for one in named)
+
+
+def _of_a_part(wish: Clause) -> bool:
+    """ "Its top block must be red", "the middle one must be on the mat": what is said of a part of what is told."""
+    theme = wish.theme
+    part = isinstance(theme, Noun) and (theme.det == "its" or theme.traits.rank is not None or theme.part_of is not None)
+    return part or any(isinstance(x, Quality) for x in wish.adjuncts)
 
 
 def _looks_so(traits: Traits, told: Traits) -> bool:
@@ -144,17 +201,40 @@ def _looks_so(traits: Traits, told: Traits) -> bool:
 
 
 def _definite(fact: Clause) -> bool:
-    """Whether what a fact tells of can be spoken of again: single things, and blocks of one look that are counted."""
-    nouns = [x for x in parts_of(fact) if isinstance(x, Noun)]
-    counted = isinstance(fact.theme, Noun) and fact.theme.amount is not None and bool(fact.theme.traits.colors)
-    single = all(x.det in ("the", "bare") and not x.amount and not x.plural for x in nouns if x is not fact.theme)
-    known = single and (counted or not nouns or (nouns[0].det in ("the", "bare") and not nouns[0].plural))
-    return known and not any(isinstance(x, Structure) for x in parts_of(fact))
+    """Whether what a fact tells of can be spoken of again: single things, blocks that are named one by one, and blocks
+    of one look that are counted; and whether it does not tell of a structure by more than its kind."""
+    if fact.verb == "spell":
+        return True
+    nouns, theme = [x for x in parts_of(fact) if isinstance(x, Noun)], _told_of(fact)
+    counted = isinstance(theme, Noun) and theme.amount is not None and bool(theme.traits.colors)
+    single = all(x.det in ("the", "bare") and not x.amount and not x.plural for x in nouns if x is not theme)
+    known = single and (counted or not nouns or (nouns[0].det in ("the", "bare") and _one_by_one(nouns[0])))
+    shapes = [x for x in parts_of(fact) if isinstance(x, Structure)]
+    return known and all(x == Structure(kind=x.kind, amount=x.amount, dims=x.dims, members=x.members, span=x.span)
+                         for x in shapes)  # fmt: skip
+
+
+def _one_by_one(noun: Noun) -> bool:
+    """ "the red block", "A, B and C"."""
+    return not noun.plural or len(noun.traits.labels) > 1 or len(noun.traits.colors) > 1
+
+
+def _told_of(fact: Clause) -> Meaning | None:
+    """What a fact tells of: in "six blocks form a circle" and "a circle of six blocks is on the mat" the blocks."""
+    made_of = fact.adjuncts[0] if len(fact.adjuncts) == 1 and isinstance(fact.theme, Structure) else None
+    if isinstance(made_of, Using):
+        return made_of.members
+    return fact.theme.members if isinstance(fact.theme, Structure) else fact.theme
 
 
 def _known(fact: Clause) -> Clause:
     """The fact, of blocks that are there by then: "the two red blocks"."""
-    noun = fact.theme
+    noun = _told_of(fact)
     if not isinstance(noun, Noun) or noun.amount is None or noun.det not in ("a", "bare"):
         return fact
-    return replace(fact, theme=replace(noun, det="the", amount=noun.amount if noun.plural else None))
+    known = replace(noun, det="the", amount=noun.amount if noun.plural else None)
+    if isinstance(fact.theme, Structure) and fact.theme.members is not None:
+        return replace(fact, theme=replace(fact.theme, members=known))
+    if isinstance(fact.theme, Structure):
+        return replace(fact, adjuncts=tuple(replace(x, members=known) for x in fact.adjuncts if isinstance(x, Using)))
+    return replace(fact, theme=known)

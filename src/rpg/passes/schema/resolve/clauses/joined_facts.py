@@ -182,7 +182,7 @@ def _same_mark(one: Meaning | None, other: Meaning | None) -> bool:
     return isinstance(one, TableTop) and isinstance(other, TableTop)
 
 
-def _same_spot(one: Loc | In, other: Loc | In) -> bool:
+def same_spot(one: Loc | In, other: Loc | In) -> bool:
     """Whether two places are one: "behind A" and "behind it", "on the left" and "there"."""
     if isinstance(other, Loc) and isinstance(other.landmark, Pronoun) and other.landmark.word == "there":
         return not one.negated
@@ -214,7 +214,7 @@ def instead_of(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
         there, here = (tuple(x for x in c.adjuncts if isinstance(x, Loc | In)) for c in (fact, end))
         was = fact.mode == "start" or fact.lemma == "fact" or (fact.verb, fact.mode) == ("exist", "given")
         once = len(there) == len(here) == len(after.clauses) == len(fact.adjuncts) == 1
-        if not told or not was or not once or not _same_spot(there[0], here[0]) or same_one(fact, end):
+        if not told or not was or not once or not same_spot(there[0], here[0]) or same_one(fact, end):
             continue
         theme = fact.theme
         if not isinstance(theme, Noun) or theme.plural or isinstance(end.theme, Pronoun):

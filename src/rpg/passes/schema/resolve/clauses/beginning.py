@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from functools import partial
+from itertools import pairwise
 
 from rpg.language.meaning import (
     At,
@@ -30,6 +31,7 @@ from rpg.passes.schema.resolve.clauses.joined_facts import (
     BESIDES,
     added,
     asked_of,
+    asks,
     borne_in_turn,
     demanded,
     ends_elsewhere,
@@ -226,7 +228,8 @@ def _pictured(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...] | None:
     final = [_of_its_end(chains, n, text) for n in range(len(chains))]
     if any(final) and not final[0]:
         return None
-    if not final[0] and any(demanded(chains, n, text) for n in range(1, len(chains))):
+    within = (text[a.span[1] : b.span[0]] for chain in chains for a, b in pairwise(chain.clauses))
+    if not final[0] and (any(demanded(chains, n, text) for n in range(1, len(chains))) or any(map(asks, within))):
         return None
     if not all(isinstance(c, Clause) and _describes(c, text, seen) for c in clauses):
         return None
@@ -244,7 +247,8 @@ _SEEN = re.compile(
 )
 """Words of frames in front of a picture."""
 _ASKED = re.compile(
-    r"\b(?:must|should|shall|has to|have to|needs? to|ought|will|may|can|let|want|wish|belongs?)\b", re.IGNORECASE
+    r"\b(?:(?:must|should|ought)(?:n't)?|shall|has to|have to|needs? to|will|may|can|let|want|wish|belongs?)\b",
+    re.IGNORECASE,
 )
 
 

@@ -126,8 +126,12 @@ def demanded(chains: tuple[Chain, ...], n: int, text: str) -> bool:
     """ "(There is a red block on a blue one.) Reach a state where ...": what is asked for, and not told or pictured as
     well."""
     before = text[chains[n - 1].span[1] if n else 0 : chains[n].clauses[0].span[0]]
-    own = re.split(r"[.;!?]", before)[-1]
-    return _DEMANDED.search(own) is not None and _KNOWN.search(own) is None
+    return asks(re.split(r"[.;!?]", before)[-1])
+
+
+def asks(words: str) -> bool:
+    """Whether words in front of a clause ask for what it tells: "and I want ...", and not "and you can see ..."."""
+    return _DEMANDED.search(words) is not None and _KNOWN.search(words) is None
 
 
 def same_one(fact: Clause, order: Clause) -> bool:

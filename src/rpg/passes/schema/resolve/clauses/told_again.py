@@ -19,7 +19,9 @@ from rpg.language.meaning import (
     replace,
 )
 
-SHOULD = re.compile(r"\b(?:must|should|shall|has to|have to|needs? to|ought|(?:is|are) (?:not )?to)\b", re.IGNORECASE)
+SHOULD = re.compile(
+    r"\b(?:(?:must|should|ought)(?:n't)?|shall|has to|have to|needs? to|(?:is|are) (?:not )?to)\b", re.IGNORECASE
+)
 
 
 def of_these(wish: Clause, fact: Clause) -> bool:

@@ -20,7 +20,7 @@ from rpg.language.meaning import (
     replace,
 )
 from rpg.passes.schema.resolve.clauses.begun_facts import indicative
-from rpg.passes.schema.resolve.clauses.joined_facts import BESIDES, asked_of, how_far_off
+from rpg.passes.schema.resolve.clauses.joined_facts import BESIDES, asked_of, demanded, how_far_off
 from rpg.passes.schema.resolve.clauses.told_again import SHOULD, definite, known_by_then, made_so, of_a_part, of_these
 from rpg.passes.schema.resolve.clauses.wished_beside import wished_beside
 
@@ -110,9 +110,10 @@ def _so(chain: Chain, text: str) -> bool:
 
 def _wish(chains: tuple[Chain, ...], n: int, text: str) -> Clause | None:
     """What the first sentence behind the facts asks for, where it says that something should be somewhere."""
-    after = next((chain for chain in chains[n + 1 :] if not _so(chain, text)), None)
-    asked = asked_of(after) if after is not None else None
-    if not isinstance(asked, Clause) or asked.negated or asked.theme is None:
+    later = range(n + 1, len(chains))
+    m = next((m for m in later if demanded(chains, m, text) or not _so(chains[m], text)), None)
+    asked = asked_of(chains[m]) if m is not None else None
+    if m is None or not isinstance(asked, Clause) or asked.negated or asked.theme is None:
         return None
-    wished = asked.mode == "goal" and SHOULD.search(text[slice(*asked.span)]) is not None
-    return asked if asked.mode == "command" or wished else None
+    wished = demanded(chains, m, text) or SHOULD.search(text[slice(*asked.span)]) is not None
+    return asked if asked.mode == "command" or (asked.mode == "goal" and wished) else None

@@ -75,7 +75,7 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
     chains = lifted(kept_there(instead_of(put_back(other_way_round(chains), text)), text), text)
     chains = worded_first(lined_up_first(they_begin_as(there_on_it(_lying_there(chains, text))), text), text)
     now = _as_it_is_now(chains[0], text, chains[1:])
-    chains = (now, *map(_there_too, chains[1:]))
+    chains = (now, *(_there_too(chain, text) for chain in chains[1:]))
     chains = tuple(all_begun(chain, text, len(chains) == 1) for chain in chains)
     if (picture := _pictured(chains, text)) is not None:
         return picture
@@ -167,7 +167,7 @@ def _as_it_is_now(chain: Chain, text: str, more: tuple[Chain, ...]) -> Chain:
         facts += 1
     later = facts < len(chain.clauses)
     if not facts or not (later or more) or _NOW.fullmatch(text[: chain.clauses[0].span[0]].strip()) is None:
-        return _there_too(chain)
+        return _there_too(chain, text)
     begun = tuple(replace(c, mode="start") for c in chain.clauses[:facts] if isinstance(c, Clause))
     links = (*chain.links[:facts], "and", *chain.links[facts + 1 :]) if later else chain.links
     return replace(chain, clauses=(*begun, *chain.clauses[facts:]), links=links)
@@ -201,7 +201,7 @@ def _going_on(chains: tuple[Chain, ...], final: list[bool]) -> list[int]:
     return found
 
 
-def _there_too(chain: Chain) -> Chain:
+def _there_too(chain: Chain, text: str) -> Chain:
     """ "There is a red block on the blue one and a green block on the mat": "there is" is said of both."""
     told: list[Meaning] = []
     for link, clause in zip(chain.links, chain.clauses, strict=True):
@@ -209,7 +209,8 @@ def _there_too(chain: Chain) -> Chain:
         bare = said in ("be", "build") and isinstance(clause, Clause) and bool(clause.cost) and not clause.negated
         if link == "and" and told and there_is(told[-1]) and bare and isinstance(clause, Clause):
             spots = all(isinstance(a, Loc | In) and not a.negated for a in clause.adjuncts)
-            if spots and (clause.adjuncts or said == "build") and _indefinite(clause.theme):
+            asked = asks(text[told[-1].span[1] : clause.span[0]])
+            if spots and not asked and (clause.adjuncts or said == "build") and _indefinite(clause.theme):
                 clause = replace(clause, verb="exist", mode="given")
         told.append(clause)
     return replace(chain, clauses=tuple(told)) if tuple(told) != chain.clauses else chain

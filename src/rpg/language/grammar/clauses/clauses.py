@@ -24,7 +24,7 @@ from rpg.language.grammar.clauses.dealt import one_for_each
 from rpg.language.grammar.clauses.denied_of_all import denied_of_all
 from rpg.language.grammar.clauses.each_kind import each_kind
 from rpg.language.grammar.clauses.given_own import given_own
-from rpg.language.grammar.clauses.having import finally_there, having, structure_is, topped, topped_there
+from rpg.language.grammar.clauses.having import finally_there, having, structure_is
 from rpg.language.grammar.clauses.heights_bounded import stacks_more
 from rpg.language.grammar.clauses.identified import identified, what_is_there
 from rpg.language.grammar.clauses.made import told_before
@@ -38,6 +38,7 @@ from rpg.language.grammar.clauses.sole import just_these
 from rpg.language.grammar.clauses.states import state
 from rpg.language.grammar.clauses.terse import about, said_of, terse
 from rpg.language.grammar.clauses.there import exists, listed_there, on_what_is_named, stands_there
+from rpg.language.grammar.clauses.topped import topped, topped_there
 from rpg.language.grammar.clauses.verbs import ever, verb_phrase
 from rpg.language.grammar.clauses.weighed import rows_forming, weighed
 from rpg.language.grammar.clauses.wheres import is_where, trading_places

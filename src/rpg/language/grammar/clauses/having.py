@@ -10,7 +10,6 @@ from rpg.language.grammar.clauses.shared import all_patches, are_patches
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.absolutes import part_list
 from rpg.language.grammar.places.gaps import apart_by
-from rpg.language.grammar.places.held import SIDES
 from rpg.language.grammar.places.onto import one_on_another
 from rpg.language.grammar.places.sides import toward
 from rpg.language.grammar.structures.along import listed_along
@@ -27,7 +26,6 @@ from rpg.language.meaning import (
     Chain,
     Clause,
     Coord,
-    In,
     Into,
     Loc,
     Meaning,
@@ -131,7 +129,7 @@ def having(p: Parser, i: int, mode: str) -> Results[Meaning]:
                     if not found or _owned(found, owner) is not None:
                         place = Loc(rel="on", landmark=owner, span=p.span(i, j))
                         said, places = said_of_each(theme, (place,), owner)
-                        yield replace(_stated(p, i, end, said, places, mode), subject=owner), end
+                        yield replace(_as_told(p, j, k, _stated(p, i, end, said, places, mode)), subject=owner), end
 
 
 def _each_of_both(owner: Meaning, both: bool) -> Meaning:
@@ -156,8 +154,13 @@ def _it_has(p: Parser, i: int, j: int, it: Pronoun, mode: str) -> Results[Clause
 
 
 def _as_told(p: Parser, j: int, k: int, stated: Clause) -> Clause:
-    """ "It has a gray block on it": a fact, which may be so at the start; "should have" is none."""
-    return replace(stated, lemma="fact") if p.words[j:k] == ["has"] and stated.mode == "goal" else stated
+    """ "It has a gray block on it", "it carries one": a fact, which may be so at the start; "should have" is none."""
+    told = " ".join(p.words[j:k]) in _TELLS
+    return replace(stated, lemma="fact") if told and stated.mode == "goal" else stated
+
+
+_TELLS = ("has", "carries", "holds", "holds up", "supports", "bears", "contains", "is carrying", "is supporting",
+          "is holding")  # fmt: skip
 
 
 def _symbols(p: Parser, i: int) -> bool:
@@ -357,39 +360,6 @@ def finally_there(p: Parser, i: int, there: Meaning, end: bool = False) -> Meani
     shaped = any(isinstance(shape, Structure) for shape in shapes)
     told = end and there.mode == "given" and (there.adjuncts or shaped)
     return replace(there, mode="goal") if told else there
-
-
-def topped(theme: Meaning | None, found: tuple[Meaning, ...]) -> tuple[Meaning, ...]:
-    """ "a red block with a blue one on top": on it, for a single block has no parts."""
-    single = isinstance(theme, Noun) and theme.head != "patch" and not theme.plural and theme.det in ("a", "the")
-    return tuple(_on_it(a) for a in found) if single and len(found) == 1 else found
-
-
-def topped_there(found: Meaning) -> Meaning:
-    """ "Red with white on top in the corner", "in the corner, red with white on top": white is on it."""
-    if not isinstance(found, Clause) or found.verb not in ("be", "place") or len(found.adjuncts) != 2:
-        return found
-    theme, tops = found.theme, [x for x in found.adjuncts if isinstance(x, Absolute)]
-    placed = [x for x in found.adjuncts if isinstance(x, In) or (isinstance(x, Loc) and x.rel == "on")]
-    beside = [x for x in found.adjuncts if isinstance(x, Loc) and x.rel in SIDES]
-    placed = placed or [x for x in beside if tops and tops[0].span < x.span]
-    one = isinstance(theme, Noun) and theme.head != "patch" and not theme.plural and len(theme.traits.colors) < 2
-    lying = [x.landmark for x in placed if isinstance(x, Loc) and x.rel == "on"]
-    on_block = [mark for mark in lying if getattr(mark, "head", "patch") != "patch"]
-    several = isinstance(theme, Noun) and theme.amount is not None and theme.amount.low != 1
-    if not one or several or len(tops) != 1 or len(placed) != 1 or on_block:
-        return found
-    return replace(found, adjuncts=tuple(_on_it(x) for x in found.adjuncts))
-
-
-def _on_it(part: Meaning) -> Meaning:
-    if not isinstance(part, Absolute) or len(part.adjuncts) != 1:
-        return part
-    place = part.adjuncts[0]
-    if not isinstance(place, At) or (place.side, place.index, place.whole) != ("top", None, None):
-        return part
-    on = Loc(rel="on", landmark=Pronoun(word="it", span=place.span), span=place.span)
-    return replace(part, adjuncts=(on,), cost=0)
 
 
 def with_more(theme: Meaning | None, found: tuple[Meaning, ...]) -> bool:

@@ -10,7 +10,8 @@ from rpg.language.grammar.clauses.absent import never_there
 from rpg.language.grammar.clauses.adjuncts import adjunct, adjuncts
 from rpg.language.grammar.clauses.denials import leave
 from rpg.language.grammar.clauses.done_there import likewise
-from rpg.language.grammar.clauses.having import topped, with_more
+from rpg.language.grammar.clauses.having import with_more
+from rpg.language.grammar.clauses.topped import topped
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.talk.framing import WHEN_DONE, past
 from rpg.language.grammar.talk.slots import Patterns

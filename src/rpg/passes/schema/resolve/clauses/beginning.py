@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from functools import partial
+from itertools import pairwise
 
 from rpg.language.meaning import (
     At,
@@ -30,6 +31,7 @@ from rpg.passes.schema.resolve.clauses.in_parts import before_orders, lie_so, sa
 from rpg.passes.schema.resolve.clauses.joined_facts import (
     BESIDES,
     asked_of,
+    asks,
     borne_in_turn,
     demanded,
     ends_elsewhere,
@@ -66,7 +68,7 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
     chains = lifted(kept_there(instead_of(put_back(other_way_round(chains), text)), text), text)
     chains = worded_first(lined_up_first(they_begin_as(there_on_it(_lying_there(chains, text))), text), text)
     now = _as_it_is_now(chains[0], text, chains[1:])
-    chains = (now, *map(_there_too, chains[1:]))
+    chains = (now, *(_there_too(chain, text) for chain in chains[1:]))
     chains = tuple(all_begun(chain, text, len(chains) == 1) for chain in chains)
     if (picture := _pictured(chains, text)) is not None:
         return picture
@@ -159,7 +161,7 @@ def _as_it_is_now(chain: Chain, text: str, more: tuple[Chain, ...]) -> Chain:
         facts += 1
     later = facts < len(chain.clauses)
     if not facts or not (later or more) or _NOW.fullmatch(text[: chain.clauses[0].span[0]].strip()) is None:
-        return _there_too(chain)
+        return _there_too(chain, text)
     begun = tuple(replace(c, mode="start") for c in chain.clauses[:facts] if isinstance(c, Clause))
     links = (*chain.links[:facts], "and", *chain.links[facts + 1 :]) if later else chain.links
     return replace(chain, clauses=(*begun, *chain.clauses[facts:]), links=links)
@@ -179,7 +181,7 @@ def _going_on(chains: tuple[Chain, ...], final: list[bool]) -> list[int]:
     return found
 
 
-def _there_too(chain: Chain) -> Chain:
+def _there_too(chain: Chain, text: str) -> Chain:
     """ "There is a red block on the blue one and a green block on the mat": "there is" is said of both."""
     told: list[Meaning] = []
     for link, clause in zip(chain.links, chain.clauses, strict=True):
@@ -187,7 +189,8 @@ def _there_too(chain: Chain) -> Chain:
         bare = said in ("be", "build") and isinstance(clause, Clause) and bool(clause.cost) and not clause.negated
         if link == "and" and told and there_is(told[-1]) and bare and isinstance(clause, Clause):
             spots = all(isinstance(a, Loc | In) and not a.negated for a in clause.adjuncts)
-            if spots and (clause.adjuncts or said == "build") and _indefinite(clause.theme):
+            asked = asks(text[told[-1].span[1] : clause.span[0]])
+            if spots and not asked and (clause.adjuncts or said == "build") and _indefinite(clause.theme):
                 clause = replace(clause, verb="exist", mode="given")
         told.append(clause)
     return replace(chain, clauses=tuple(told)) if tuple(told) != chain.clauses else chain
@@ -206,7 +209,8 @@ def _pictured(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...] | None:
     final = [of_its_end(chains, n, text) for n in range(len(chains))]
     if any(final) and not final[0]:
         return None
-    if not final[0] and any(demanded(chains, n, text) for n in range(1, len(chains))):
+    within = (text[a.span[1] : b.span[0]] for chain in chains for a, b in pairwise(chain.clauses))
+    if not final[0] and (any(demanded(chains, n, text) for n in range(1, len(chains))) or any(map(asks, within))):
         return None
     if not all(isinstance(c, Clause) and _describes(c, text, seen) for c in clauses):
         return None
@@ -224,15 +228,17 @@ _SEEN = re.compile(
 )
 """Words of frames in front of a picture."""
 _ASKED = re.compile(
-    r"\b(?:must|should|shall|has to|have to|needs? to|ought|will|may|can|let|want|wish|belongs?)\b", re.IGNORECASE
+    r"\b(?:(?:must|should|ought)(?:n't)?|shall|has to|have to|needs? to|will|may|can|let|want|wish|belongs?)\b",
+    re.IGNORECASE,
 )
 
 
 def _describes(clause: Clause, text: str, seen: bool) -> bool:
     """Whether a clause says how it is, and not what is wanted."""
-    if clause.lemma == "fact" or there_is(clause) or there_so(clause):
-        return True
-    return seen and clause.mode in ("goal", "given") and _ASKED.search(text[slice(*clause.span)]) is None
+    asked = _ASKED.search(text[slice(*clause.span)]) is not None
+    if clause.lemma == "fact":
+        return not asked
+    return there_is(clause) or there_so(clause) or (seen and clause.mode in ("goal", "given") and not asked)
 
 
 def _of_the_end(clause: Meaning, seen: bool, whole: bool = False) -> Meaning:

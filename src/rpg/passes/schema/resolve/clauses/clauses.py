@@ -68,6 +68,7 @@ from rpg.passes.schema.resolve.structures.structures import make
 from rpg.passes.schema.resolve.structures.towers import on_matching_patches
 from rpg.passes.schema.resolve.things.alike import by_likeness, counterparts
 from rpg.passes.schema.resolve.things.inventory import blocks_and_patches, mark_given, tally, told_apart
+from rpg.passes.schema.resolve.things.off_it import note_verb
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.spare import ignore
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
@@ -77,7 +78,7 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
     """The goals that a clause states; structures that its noun phrases bring up come first."""
     scene.clause += 1
     number = scene.clause
-    scene.verbs[number] = (clause.word, clause.negated, clause.verb)
+    note_verb(clause, scene)
     scope = Scope(start=start, given=clause.mode == "given" or start)
     clause = counted_between(denied_of_any(denied_once(clause), scene), scene)
     clause = moved_from(with_its_noun(of_the_rest(in_company(clause))))

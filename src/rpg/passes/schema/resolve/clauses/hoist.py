@@ -42,7 +42,7 @@ from rpg.passes.schema.resolve.places.heaped import heaped
 from rpg.passes.schema.resolve.places.opposite import opposite_sides
 from rpg.passes.schema.resolve.places.overs import in_one_tower
 from rpg.passes.schema.resolve.structures.grouped import groups_joined, sorted_with_strangers, told_apart
-from rpg.passes.schema.resolve.structures.hubs import emptied, in_the_middle, outlines, told_first, told_inside
+from rpg.passes.schema.resolve.structures.hubs import brought_up, in_outline, in_the_middle, told_first
 from rpg.passes.schema.resolve.structures.lined_towers import of_all_that_follows
 from rpg.passes.schema.resolve.structures.named_again import named_again
 from rpg.passes.schema.resolve.structures.told_towers import (
@@ -91,9 +91,9 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
             if said.lemma == "listed":
                 kept.insert(0, ("and", _there_are(said, _last(found))))
                 continue
-            if _in_outline(found, said, link) or (link not in ("then", "or") and _on_the_part(found, said)):
+            if in_outline(found, said, link) or (link not in ("then", "or") and _on_the_part(found, said)):
                 continue
-            if (inside := in_the_middle(said)) is not None and (_new(inside[1]) or told_first(inside[1], found)):
+            if (inside := in_the_middle(said)) is not None and (brought_up(inside[1]) or told_first(inside[1], found)):
                 built = replace(said, verb="build", lemma="", theme=inside[1], adjuncts=(inside[0],))
                 kept.append((link, built))
                 continue
@@ -269,31 +269,6 @@ def _last(found: list[list[tuple[str, Meaning]]]) -> Clause | None:
     """The clause said last."""
     kept = next((lot[-1][1] for lot in reversed(found) if lot), None)
     return kept if isinstance(kept, Clause) else None
-
-
-def _new(whole: Meaning) -> bool:
-    """ "a circle of eight purple blocks": built by the clause that says what is in its middle."""
-    return isinstance(whole, Structure) and whole.det == "a" and bool(whole.members or whole.sizes)
-
-
-def _in_outline(found: list[list[tuple[str, Meaning]]], clause: Clause, link: str) -> bool:
-    """ "in its centre there is a white one", "nothing is inside it": said of the outline that was built before."""
-    last = next((lot[-1] for lot in reversed(found) if lot), None)
-    builder = last[1] if last is not None else None
-    if link == "then" or not isinstance(builder, Clause) or not outlines(builder):
-        return False
-    if builder.negated or builder.mode == "start":
-        return False
-    line = max(n for n, lot in enumerate(found) if lot)
-    inside = in_the_middle(clause)
-    of = inside[1] if inside is not None else None
-    if inside is not None and not (isinstance(of, Structure) and (_new(of) or of.members or not outlines(builder, of))):
-        found[line][-1] = (found[line][-1][0], replace(builder, adjuncts=(*builder.adjuncts, inside[0])))
-        return True
-    if told_inside(clause):
-        found[line][-1] = (found[line][-1][0], emptied(builder))
-        return True
-    return False
 
 
 def _of_one(clause: Clause) -> Clause:

@@ -126,8 +126,12 @@ def demanded(chains: tuple[Chain, ...], n: int, text: str) -> bool:
     """ "(There is a red block on a blue one.) Reach a state where ...": what is asked for, and not told or pictured as
     well."""
     before = text[chains[n - 1].span[1] if n else 0 : chains[n].clauses[0].span[0]]
-    own = re.split(r"[.;!?]", before)[-1]
-    return _DEMANDED.search(own) is not None and _KNOWN.search(own) is None
+    return asks(re.split(r"[.;!?]", before)[-1])
+
+
+def asks(words: str) -> bool:
+    """Whether words in front of a clause ask for what it tells: "and I want ...", and not "and you can see ..."."""
+    return _DEMANDED.search(words) is not None and _KNOWN.search(words) is None
 
 
 def same_one(fact: Clause, order: Clause) -> bool:
@@ -182,7 +186,7 @@ def _same_mark(one: Meaning | None, other: Meaning | None) -> bool:
     return isinstance(one, TableTop) and isinstance(other, TableTop)
 
 
-def _same_spot(one: Loc | In, other: Loc | In) -> bool:
+def same_spot(one: Loc | In, other: Loc | In) -> bool:
     """Whether two places are one: "behind A" and "behind it", "on the left" and "there"."""
     if isinstance(other, Loc) and isinstance(other.landmark, Pronoun) and other.landmark.word == "there":
         return not one.negated
@@ -214,7 +218,7 @@ def instead_of(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
         there, here = (tuple(x for x in c.adjuncts if isinstance(x, Loc | In)) for c in (fact, end))
         was = fact.mode == "start" or fact.lemma == "fact" or (fact.verb, fact.mode) == ("exist", "given")
         once = len(there) == len(here) == len(after.clauses) == len(fact.adjuncts) == 1
-        if not told or not was or not once or not _same_spot(there[0], here[0]) or same_one(fact, end):
+        if not told or not was or not once or not same_spot(there[0], here[0]) or same_one(fact, end):
             continue
         theme = fact.theme
         if not isinstance(theme, Noun) or theme.plural or isinstance(end.theme, Pronoun):

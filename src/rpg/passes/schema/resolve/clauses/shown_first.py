@@ -15,12 +15,27 @@ _SHOWN = re.compile(
 )
 
 
+_IMAGINED = re.compile(
+    r"\W*(?:(?:please|just|now|so|do|can|you)\W+)*(?:imagine|picture|think of|consider|see)\W+(?:that\W+|this\W+)?"
+    r"(?:(?:the|a|an)\W*)?",
+    re.IGNORECASE,
+)
+
+
 def presented(chains: tuple[Chain, ...], n: int, text: str) -> bool:
-    """ "This is a tower of three red blocks. Put a blue block on it.": it is there before anything is done."""
+    """ "This is a tower of three red blocks. Put a blue block on it.": it is there before anything is done; and so is
+    what is imagined, unless it is that which is to be built."""
     before = text[chains[n - 1].span[1] if n else 0 : chains[n].clauses[0].span[0]]
-    return _HERE.fullmatch(before) is not None and not any(
+    imagined = _IMAGINED.fullmatch(before) is not None and _is_changed(chains[n + 1 :])
+    return (imagined or _HERE.fullmatch(before) is not None) and not any(
         getattr(c, "lemma", "") == "tally" for c in chains[n].clauses
     )
+
+
+def _is_changed(later: tuple[Chain, ...]) -> bool:
+    """Whether something is put somewhere, or taken off it, in the next sentence."""
+    order = later[0].clauses[0] if later else None
+    return isinstance(order, Clause) and order.mode == "command" and order.verb != "build"
 
 
 def shown(chain: Chain, text: str) -> bool:

@@ -7,6 +7,7 @@ import re
 
 from rpg.language.meaning import Chain, Clause, In, Loc, Meaning, Noun, Pronoun, replace
 from rpg.passes.schema.resolve.clauses.joined_facts import BESIDES, same_one
+from rpg.passes.schema.resolve.clauses.told_again import of_these
 from rpg.passes.schema.resolve.things.world import refuse
 
 _WISHED = re.compile(
@@ -56,7 +57,7 @@ def _places(clause: Clause) -> tuple[Meaning, ...]:
 def _same_place(fact: Clause, order: Clause) -> bool:
     """Whether another thing is to be where this is: "the red block is on the mat, but I want the blue one there"."""
     marks = [x.landmark for x in (*fact.adjuncts, *order.adjuncts) if isinstance(x, Loc) and x.rel in ("on", "in")]
-    if len(marks) != 2 or same_one(fact, order):
+    if len(marks) != 2 or of_these(order, fact):
         return False
     named = [x for x in marks if isinstance(x, Noun)]
     there = isinstance(marks[1], Pronoun) and marks[1].word in ("there", "it")

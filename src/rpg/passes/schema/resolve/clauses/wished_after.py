@@ -13,19 +13,17 @@ from rpg.language.meaning import (
     In,
     Loc,
     Manner,
-    Meaning,
     Noun,
     Pronoun,
     Quality,
-    Structure,
     Traits,
-    parts_of,
     replace,
 )
 from rpg.passes.schema.resolve.clauses.begun_facts import indicative
-from rpg.passes.schema.resolve.clauses.joined_facts import BESIDES, asked_of, how_far_off
+from rpg.passes.schema.resolve.clauses.joined_facts import BESIDES, asked_of, demanded, how_far_off
+from rpg.passes.schema.resolve.clauses.told_again import SHOULD, definite, known_by_then, made_so, of_a_part, of_these
+from rpg.passes.schema.resolve.clauses.wished_beside import wished_beside
 
-_SHOULD = re.compile(r"\b(?:must|should|shall|has to|have to|needs? to|ought|(?:is|are) (?:not )?to)\b", re.IGNORECASE)
 _STOP = re.compile(r"[.!?]")
 
 
@@ -34,7 +32,12 @@ def wished_after(chains: tuple[Chain, ...], text: str, final: Sequence[bool]) ->
     chains = (*chains[:1], *(_those_left(_so_many_left(chain), text) for chain in chains[1:]))
     found = list(chains)
     for n, chain in enumerate(chains):
-        told = final[n] or not _so(chain, text) or how_far_off(chains[n : n + 2])
+        if final[n]:
+            continue
+        if parted := wished_beside(chains, n, text):
+            found[n] = parted
+            continue
+        told = not _so(chain, text) or how_far_off(chains[n : n + 2])
         wish = None if told else _wish(chains, n, text)
         if wish is None:
             continue
@@ -43,11 +46,11 @@ def wished_after(chains: tuple[Chain, ...], text: str, final: Sequence[bool]) ->
             continue  # "three are green": so they look, at the start and at the end
         begun = tuple(replace(c, mode="start") for c in facts)
         besides = BESIDES.search(text[slice(*wish.span)].replace("both", "")) is not None
-        if (wish.mode == "command" and not besides) or any(_of_these(wish.theme, fact) for fact in facts):
+        if (wish.mode == "command" and not besides) or any(of_these(wish, fact) for fact in facts):
             found[n] = replace(chain, clauses=begun)
             found = [_remaining(x, wish, facts[-1]) for x in found]
-        elif all(map(_definite, facts)):
-            found[n] = replace(chain, clauses=(*begun, *map(_known, facts)), links=(*chain.links, *chain.links))
+        elif all(map(definite, facts)) and not of_a_part(wish):
+            found[n] = replace(chain, clauses=(*begun, *map(known_by_then, facts)), links=(*chain.links, *chain.links))
     return tuple(found)
 
 
@@ -102,59 +105,15 @@ def _so(chain: Chain, text: str) -> bool:
     said = text[slice(*chain.span)]
     ended = _STOP.match(text[chain.span[1] :].lstrip()) is not None
     told = indicative(chain, text) and all(isinstance(c, Clause) and c.lemma == "fact" for c in chain.clauses)
-    return ended and (told or _made_so(chain, said)) and _SHOULD.search(said) is None
-
-
-def _made_so(chain: Chain, said: str) -> bool:
-    """ "A, B and C are stacked", "the letters spell STOP": one structure, in the indicative."""
-    made = chain.clauses[0]
-    one = len(chain.clauses) == 1 and isinstance(made, Clause) and made.verb in _MAKING and not made.negated
-    return one and isinstance(made, Clause) and made.mode == "goal" and _IS.search(said) is not None
-
-
-_MAKING = ("stack", "build", "arrange", "spell")
-_IS = re.compile(r"\S \b(?:is|are|forms?|makes?|spells?|reads?|shows?|stands?|lies?)\b", re.IGNORECASE)
+    return ended and (told or made_so(chain, said)) and SHOULD.search(said) is None
 
 
 def _wish(chains: tuple[Chain, ...], n: int, text: str) -> Clause | None:
     """What the first sentence behind the facts asks for, where it says that something should be somewhere."""
-    after = next((chain for chain in chains[n + 1 :] if not _so(chain, text)), None)
-    asked = asked_of(after) if after is not None else None
-    if not isinstance(asked, Clause) or asked.negated or asked.theme is None:
+    later = range(n + 1, len(chains))
+    m = next((m for m in later if demanded(chains, m, text) or not _so(chains[m], text)), None)
+    asked = asked_of(chains[m]) if m is not None else None
+    if m is None or not isinstance(asked, Clause) or asked.negated or asked.theme is None:
         return None
-    wished = asked.mode == "goal" and _SHOULD.search(text[slice(*asked.span)]) is not None
-    return asked if asked.mode == "command" or wished else None
-
-
-def _of_these(theme: Meaning | None, fact: Clause) -> bool:
-    """Whether it is one of the things that the fact tells of, or "it", "they"."""
-    if any(isinstance(x, Pronoun) for x in parts_of(theme)):
-        return True
-    if isinstance(theme, Noun) and theme.head == "any" and theme.traits == Traits():
-        return True  # "exactly one (of them)"
-    named = [x.traits for x in parts_of(fact) if isinstance(x, Noun) and x.head != "patch"]
-    return any(_looks_so(x.traits, one) for x in parts_of(theme) if isinstance(x, Noun) for one in named)
-
-
-def _looks_so(traits: Traits, told: Traits) -> bool:
-    """Whether a look is that of one of the blocks that a noun tells of: "C" of "A, B and C", also "A and C"."""
-    looks = {*traits.colors, *traits.labels}
-    among = not looks.isdisjoint({*told.colors, *told.labels}) and traits.size in (None, told.size)
-    return among or (not looks and traits.size is not None and traits.size == told.size)
-
-
-def _definite(fact: Clause) -> bool:
-    """Whether what a fact tells of can be spoken of again: single things, and blocks of one look that are counted."""
-    nouns = [x for x in parts_of(fact) if isinstance(x, Noun)]
-    counted = isinstance(fact.theme, Noun) and fact.theme.amount is not None and bool(fact.theme.traits.colors)
-    single = all(x.det in ("the", "bare") and not x.amount and not x.plural for x in nouns if x is not fact.theme)
-    known = single and (counted or not nouns or (nouns[0].det in ("the", "bare") and not nouns[0].plural))
-    return known and not any(isinstance(x, Structure) for x in parts_of(fact))
-
-
-def _known(fact: Clause) -> Clause:
-    """The fact, of blocks that are there by then: "the two red blocks"."""
-    noun = fact.theme
-    if not isinstance(noun, Noun) or noun.amount is None or noun.det not in ("a", "bare"):
-        return fact
-    return replace(fact, theme=replace(noun, det="the", amount=noun.amount if noun.plural else None))
+    wished = demanded(chains, m, text) or SHOULD.search(text[slice(*asked.span)]) is not None
+    return asked if asked.mode == "command" or (asked.mode == "goal" and wished) else None

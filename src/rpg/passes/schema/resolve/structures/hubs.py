@@ -68,6 +68,49 @@ def outlines(clause: Clause, named: Structure | None = None) -> bool:
     return len(found) == 1 and found[0].kind in OUTLINES and not found[0].filled and not found[0].plural
 
 
+def brought_up(whole: Meaning) -> bool:
+    """ "a circle of eight purple blocks": built by the clause that says what is in its middle."""
+    return isinstance(whole, Structure) and whole.det == "a" and bool(whole.members or whole.sizes)
+
+
+def in_outline(found: list[list[tuple[str, Meaning]]], clause: Clause, link: str) -> bool:
+    """ "in its centre there is a white one", "nothing is inside it": said of the outline that was built before."""
+    last = next((lot[-1] for lot in reversed(found) if lot), None)
+    builder = last[1] if last is not None else None
+    if link == "then" or not isinstance(builder, Clause) or not outlines(builder):
+        return False
+    if builder.negated or builder.mode == "start":
+        return False
+    line = max(n for n, lot in enumerate(found) if lot)
+    inside = in_the_middle(clause)
+    of = inside[1] if inside is not None else None
+    if inside is not None and not (
+        isinstance(of, Structure) and (brought_up(of) or of.members or not outlines(builder, of))
+    ):
+        if (filled_then := _then_filled(builder, clause, inside[0])) is not None:
+            found[-1].append((link, filled_then))
+            return True
+        found[line][-1] = (found[line][-1][0], replace(builder, adjuncts=(*builder.adjuncts, inside[0])))
+        return True
+    if told_inside(clause):
+        found[line][-1] = (found[line][-1][0], emptied(builder))
+        return True
+    return False
+
+
+def _then_filled(builder: Clause, clause: Clause, hub: Absolute) -> Clause | None:
+    """ "There is a circle of six white blocks. Put a red one inside it": the circle is there at the start, and this is
+    what it is to be like."""
+    shape = builder.theme
+    asked = clause.mode == "command" or (clause.mode, clause.lemma) == ("goal", "")
+    if (builder.verb, builder.mode) != ("exist", "given") or not asked or not isinstance(shape, Structure):
+        return None
+    of = shape.members
+    known = replace(of, det="the") if isinstance(of, Noun) and of.det == "bare" else of
+    adjuncts = (*builder.adjuncts, hub)
+    return Clause(verb="build", theme=replace(shape, members=known), adjuncts=adjuncts, mode="goal", span=clause.span)
+
+
 def hub_of(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> Absolute | None:
     """What is said of the middle of an outline of blocks that look otherwise."""
     found = [a for a in spec.absolutes if _inside(a)]

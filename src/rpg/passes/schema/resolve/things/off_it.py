@@ -1,9 +1,10 @@
-""" "Take the red block off the green one and put the blue one on it": on which of the two?"""
+""" "Take the red block off the green one and put the blue one on it", "green has red on it; put it on the mat": on, or
+which, of the two?"""
 
 from __future__ import annotations
 
-from rpg.language.meaning import Pronoun
-from rpg.passes.schema.resolve.things.world import Scene, Scope, refuse
+from rpg.language.meaning import Clause, Loc, Noun, Pronoun
+from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
 
 
 def check_off_it(word: Pronoun, scene: Scene, scope: Scope) -> None:
@@ -27,4 +28,25 @@ def _of_the_unnamed(word: Pronoun, scene: Scene, scope: Scope) -> None:
     last = [m for m in scene.mentions if m.clause == scene.clause - 1 and m.role == "theme"]
     if scope.role == "theme" and verb is not None and any(m.ref.span == verb and not m.word for m in last):
         raise refuse("ambiguous", "'it' could be the block that is named or the one on it", word.span,
+                     "name the block")  # fmt: skip
+
+
+def note_verb(clause: Clause, scene: Scene) -> None:
+    """Remember the verb of a clause, and whether it tells what a block has on it or beside it."""
+    scene.verbs[scene.clause] = (clause.word, clause.negated, clause.verb)
+    places = [x for x in clause.adjuncts if isinstance(x, Loc)]
+    if clause.verb in ("remove", "pick") or any(x.rel == "off" for x in places):
+        scene.owners.discard(scene.clause - 1)  # "take it off": what lies there
+    owner = places[0].landmark if len(clause.adjuncts) == len(places) == 1 else None
+    if isinstance(owner, Noun) and owner.head != "patch" and not owner.plural and clause.theme is not None:
+        first = owner.span < clause.theme.span and owner.span[0] < places[0].span[0]
+        scene.owners |= {scene.clause} if first or clause.subject is not None else set()
+
+
+def check_owner(word: Pronoun, found: Ref, scene: Scene) -> None:
+    """Refuse "(the blue block has a red one on it.) Put it on the mat": either of them."""
+    told = [m for m in scene.mentions if m.clause == scene.clause - 1 and m.role != "landmark"]
+    lying = any(m.ref.names == found.names and len(found.names) == 1 for m in told)
+    if lying and scene.clause - 1 in scene.owners:
+        raise refuse("ambiguous", f"{word.word!r} could be what lies there, or what has it there", word.span,
                      "name the block")  # fmt: skip

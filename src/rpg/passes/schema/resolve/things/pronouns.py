@@ -8,7 +8,7 @@ from rpg.language.later import later
 from rpg.language.meaning import OWNER, TOLD_HERE, Amount, Noun, Pronoun, Traits, replace
 from rpg.passes.schema.resolve.structures.towers_apart import one_of_them
 from rpg.passes.schema.resolve.things.left_of_them import check_no_extra_since, of_the_last, the_like_of_it
-from rpg.passes.schema.resolve.things.off_it import check_off_it
+from rpg.passes.schema.resolve.things.off_it import check_off_it, check_owner
 from rpg.passes.schema.resolve.things.others_open import made_up, not_acted_on, of_the_start
 from rpg.passes.schema.resolve.things.parallel import ACROSS, parallel
 from rpg.passes.schema.resolve.things.second_patch import one_alone, one_of_the_patches, only_one_patch
@@ -69,7 +69,7 @@ def pronoun(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     if word.word == "there":
         return _there(word, scene, scope)
     if word.word == OWNER:
-        return _owner(scene)
+        return _owner(word, scene)
     if (named := _last_named(word, scene, scope)) is not None:
         return named
     if word.word in ("it", "that", "this", "the first one"):
@@ -114,11 +114,12 @@ def _last_theme(scene: Scene, word: Pronoun) -> Ref:
     raise refuse("no-referent", "nothing was mentioned before that this could refer to", word.span)
 
 
-def _owner(scene: Scene) -> Ref:
+def _owner(word: Pronoun, scene: Scene) -> Ref:
     """What "it" is where it has something on it: as the subject of other verbs, what was spoken of last."""
     told = [m.ref for m in scene.mentions if m.role in ("theme", "given") and m.clause < scene.clause and m.ref.names]
     if not told or (len(told[-1].names) > 1 and not told[-1].built):
         raise refuse("ambiguous", "it is not clear what has this", scene.mentions[-1].ref.span, "name it")
+    check_owner(replace(word, word="it"), told[-1], scene)
     return told[-1]
 
 
@@ -159,6 +160,7 @@ def _it(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         themes = [m for m in single if m.role in ("theme", "given")]
         found = (themes or single)[-1].ref
         _check_listed(word, scene, single)
+        check_owner(word, found, scene)
         check_no_extra_since(word, found, scene)
         if word.word == "the first one" and found.built:
             raise refuse("ambiguous", "the first structure, or the first of its blocks?", word.span, "name the block")

@@ -162,6 +162,7 @@ class Scene:
     `looks`: how many different looks of blocks are named.
     `sized`: the size that is said of all blocks, with its words.
     `verbs`: where the verb of every clause stands, whether it is denied, and its sense.
+    `owners`: the clauses that tell what a block has on it, or beside it.
     `topped`: structures on top of which something goes that are not named there.
     `all_but`: blocks of which all but some are spoken of.
     `taken`: the one on top of a tower of look-alikes that is there at first, with those under it.
@@ -182,6 +183,7 @@ class Scene:
     used: set[str] = field(default_factory=set)
     clause: int = 0
     verbs: dict[int, tuple[Span | None, bool, str]] = field(default_factory=dict)
+    owners: set[int] = field(default_factory=set)
     sentence: int = 0
     counter: int = 0
     batch: int = 0

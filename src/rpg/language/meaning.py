@@ -179,7 +179,8 @@ class PartOf(Meaning):
 class Loc(Meaning):
     """A relation to a landmark (`second`: the other end of "between"). Distances in metres.
 
-    `mods` among "directly", "immediate", "somewhere", "start" (where the episode finds it).
+    `mods` among "directly", "immediate", "somewhere", "start" (where the episode finds it), "level" (of what stands on
+    the table there).
     """
 
     rel: str

@@ -151,7 +151,7 @@ _TABLE = frozenset(lexicon.TABLE_NOUNS.split())
 
 _POLITE = frozenset({"please", "and", "but", "then", "always", "just"})
 _BEGIN = frozenset({"begin", "start"})
-_ARTICLES = frozenset({"the", "a", "one", "of", "with", "from"})
+_ARTICLES = frozenset({"the", "a", "one", "ones", "of", "with", "from"})
 _IS_FIRST = re.compile(r"(?:the )?first (?:one |block |cube )?(?:is|are|must be|should be|comes|to be|goes) ")
 
 
@@ -342,15 +342,12 @@ def _one_way(tokens: Sequence[Token], task: TaskSchema) -> None:
         raise refuse("contradiction", "a line goes one way", [*ways.values()][-1], "leave one of them out")
 
 
-_SUBJECT = frozenset({"put", "place", "move", "bring", "get", "set", "lay", "should", "must"})
-
-
 def _too(sentence: Sequence[Token], task: TaskSchema) -> None:
     """Refuse "put red to the left of blue and the green one too" as left of both: is it green that is there, too?"""
     said = [token for token in sentence if token.word not in STOPS]
     words = [token.word for token in said]
     end = len(words) - (2 if words[-2:] == ["as", "well"] else 1)
-    if (words[-1:] != ["too"] and end != len(words) - 2) or _SUBJECT.isdisjoint(words) or "and" not in words:
+    if (words[-1:] != ["too"] and end != len(words) - 2) or "and" not in words:
         return
     behind = said[len(words) - 1 - words[::-1].index("and") + 1 : end]
     looks = {
@@ -358,7 +355,7 @@ def _too(sentence: Sequence[Token], task: TaskSchema) -> None:
     }
     those = {block.name for block in task.blocks if len(looks) == 1 and looks & _looks(block)}
     told = [x for x in atoms(task.goal) if those & {*names(x)}]
-    if those and told and all(hasattr(x, "b") and those <= {*members(x.b)} for x in told):
+    if those and told and all(hasattr(x, "b") and those & {*members(x.b)} for x in told):
         raise refuse("ambiguous", "is this one there, too, or what the others are next to?", behind[0].span,
                      "say it in a sentence of its own")  # fmt: skip
 

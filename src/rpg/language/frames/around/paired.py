@@ -34,6 +34,8 @@ _NOUN = re.compile(
 _BLOCKS = re.compile(r"(?:from|Lay) (?P<blocks>\d+ \S+ blocks?(?:(?:, | and )\d+ \S+ blocks?)*)")
 _COLORS = re.compile(rf"\b(?:{'|'.join(lexicon.COLORS)})\b")
 _GIVEN = re.compile(r"\b(?:there (?:is|are)|we have|already|given|the (?:tower|row|wall|stack|pyramid))\b")
+_SET_OFF = re.compile(r" , (?:[^,]* )?(?:apart|touching)\b")
+"""What may be told of the two figures, and not of the blocks of the one behind which it stands."""
 _MANY = frozenset({"which", "whose", "what", "those", "these", "that", "both", "each", "every", "all", "its", "their"})
 """What begins with these is told of by what stands ahead."""
 _CLOSE = re.compile(r"\b(?:right|directly|just|immediately) (?=next|beside|behind|in |to |on |at |left|right)")
@@ -114,7 +116,8 @@ def _both(ahead: Sequence[Token], behind: Sequence[Token], plainly: Plainly) -> 
     one, other = _figure(_trimmed(ahead), plainly), _figure(_trimmed(behind), plainly)
     given = _GIVEN.search(" ".join(coded(ahead)))
     asked = any(token.word in lexicon.COMMANDS for token in behind)
-    if one and other and not (given and asked):
+    shared = _SET_OFF.search(" ".join(coded(behind))) and not _SET_OFF.search(" ".join(coded(ahead)))
+    if one and other and not (given and asked) and not shared:
         yield one, other
 
 

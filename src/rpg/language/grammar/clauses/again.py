@@ -7,8 +7,10 @@ from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.things.nouns import noun_phrase
 from rpg.language.meaning import Clause, In, Loc, Manner, Meaning, Noun, Pronoun, Structure, That, replace
 
-_SO = ("should not be", "must not be", "is not", "are not", "should be", "must be", "is too", "are too", "is", "are",
-       "yes")  # fmt: skip
+_SO = (
+    "should not be", "must not be", "is not", "are not", "should be", "must be", "is", "are", "yes",
+    *(f"{verb} {too}" for verb in ("is", "are", "does", "do", "should", "must") for too in ("too", "as well")),
+)  # fmt: skip
 
 
 def said_too(p: Parser, i: int, j: int, theme: Meaning, before: Clause) -> Results[Meaning]:

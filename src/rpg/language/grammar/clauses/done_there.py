@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from rpg.language.grammar.clauses.adjuncts import adjunct
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.talk.slots import Patterns
+from rpg.language.grammar.things.labels import TOO
 from rpg.language.grammar.things.nouns import noun_phrase
 from rpg.language.meaning import TOLD_HERE, Clause, Coord, In, Loc, Meaning, Noun, Pronoun, replace
 
@@ -43,13 +44,14 @@ def afterthought(p: Parser, i: int, had: tuple[Meaning, ...], last: Meaning) -> 
 
 
 def likewise(p: Parser, i: int, before: Clause) -> Results[Clause]:
-    """ "Red goes on the mat, and blue as well": to the same place, if several things may be there."""
+    """ "Red goes on the mat, and blue as well", "A and B touch, C and D too": the same of others, if it may be so of
+    several."""
     if before.verb not in ("be", "place") or before.negated or not before.adjuncts:
         return
-    for theme, j in noun_phrase(p, i) if all(map(_whereabouts, before.adjuncts)) else ():
-        end = p.any_of(j, ("too", "as well", "also"))
+    for theme, j in noun_phrase(p, i) if all(_whereabouts(x) or _beside(x) for x in before.adjuncts) else ():
+        end = p.any_of(j, TOO)
         if end and isinstance(theme, Noun | Coord) and (end >= p.end or p.stands(end, _ENDS)):
-            yield replace(before, theme=theme, span=p.span(i, end), cost=before.cost + 1), end
+            yield replace(before, theme=theme, span=p.span(i, end)), end
 
 
 _ENDS = frozenset({",", ";", "and", "but", "please"})
@@ -61,6 +63,11 @@ def _whereabouts(place: Meaning) -> bool:
         return True
     mark = place.landmark if isinstance(place, Loc) and place.rel == "on" else None
     return isinstance(mark, Noun) and mark.head == "patch" and not mark.traits.matching
+
+
+def _beside(place: Meaning) -> bool:
+    """How blocks stand to others on the table, or to each other."""
+    return isinstance(place, Loc) and place.rel not in ("on", "above", "under", "below")
 
 
 def _of_all(place: Meaning) -> Clause:

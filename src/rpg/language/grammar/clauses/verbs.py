@@ -248,7 +248,12 @@ def _pairs(found: tuple[Meaning, ...]) -> bool:
     return all(isinstance(a, Manner) and a.kind == "respectively" for a in found)
 
 
-_SO_IS = ("so is", "so are", "so should", "so must", "so does", "so do", "so will", "so shall", "likewise")
+_VERBS = ("is", "are", "should", "must", "does", "do", "will", "shall")
+_SO_IS = {
+    False: (*(f"{so} {verb}" for so in ("so", "as") for verb in _VERBS), "likewise"),
+    True: tuple(f"{nor} {verb}" for nor in ("neither", "nor") for verb in (*_VERBS, "may", "can")),
+}
+"""What says the same of another one, by whether that is denied."""
 
 
 _ELSEWHERE = ("elsewhere", "somewhere else")
@@ -351,7 +356,7 @@ def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
     """ "... and the green one on the yellow one", "... then back to the mat": the verb of the clause before is meant
     again."""
     i = p.opt(i, "back") if p.follows(i, ("then",)) else i
-    so = p.any_of(i, _SO_IS) if before.adjuncts and before.verb in ("be", "place") and not before.negated else 0
+    so = p.any_of(i, _SO_IS[before.negated]) if before.adjuncts and before.verb in ("be", "place") else 0
     for theme, j in noun_phrase(p, so) if so else ():
         if isinstance(theme, Noun | Coord):
             yield replace(before, theme=theme, span=p.span(i, j), cost=1), p.opt(j, "be")

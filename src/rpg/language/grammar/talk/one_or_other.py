@@ -7,7 +7,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import STOPS, sentences
 from rpg.language.tokens import Token
 
-_ARTICLES = frozenset({"the", "a", "an"})
+_ARTICLES = frozenset({"the", "a", "an", "one"})
 _BLOCKS = lexicon.BLOCK.keys() | lexicon.LETTER.keys() | lexicon.DIGIT.keys()
 _NOUNS = _BLOCKS | lexicon.PATCH.keys()
 _THEM = (["the", "two"], ["these", "two"], ["them"], ["these"], ["the"])
@@ -18,8 +18,12 @@ _BACK = frozenset({"it", "they", "them", "this", "that", "these", "those", "one"
                    "both"})  # fmt: skip
 """Behind them these may mean whichever was chosen."""
 _BEGINS = frozenset({"one", "either", "the"})
+_PUT = frozenset({"put", "place", "set", "lay", "move", "stack"})
 _PLACES = frozenset({"on", "onto", "in", "into", "to", "of", "off", "beside", "behind", "under", "above", "near", "at",
                      "from", "touching", "with", "below", "against", "inside"})  # fmt: skip
+_RELATING = frozenset({*_PLACES, "is", "goes", "must", "should", "be", "go", "lie", "lies", "the", "top", "left",
+                       "right", "front", "next", "directly", "exactly", "cm"})  # fmt: skip
+"""Words of which one to the other is told."""
 _ELSE = frozenset({"blocks", "cubes", "bricks", "boxes", "letters", "digits", "side", "half", "end", "corner", "way",
                    "hand", "order", "ones", *lexicon.STRUCTURE, *lexicon.NUMBER}) - {"one", "square"}  # fmt: skip
 """Behind "the other" these are none of the two."""
@@ -37,9 +41,16 @@ def one_or_the_other(tokens: list[Token]) -> list[Token] | None:
     for at, word in enumerate(words[:last]):
         found = _one_of(tokens, at) if word in _BEGINS or words[at + 1] == "or" else None
         if found is not None:
-            meant = all(_meant(words, n, found[1]) for n in range(found[0], last + 1) if words[n] == "other")
+            meant = _related(words[found[0] : last]) or all(
+                _meant(words, n, found[1]) for n in range(found[0], last + 1) if words[n] == "other"
+            )
             return _told(tokens, at, *found, last) if meant else None
     return None
+
+
+def _related(between: list[str]) -> bool:
+    """ "one (is on top of the) other": no more than how the two stand to each other."""
+    return between[-1:] == ["the"] and _RELATING.issuperset(between)
 
 
 def _meant(words: list[str], at: int, pair: Pair) -> bool:
@@ -104,8 +115,9 @@ def _new(token: Token) -> bool:
 def _one_of(tokens: list[Token], at: int) -> tuple[int, Pair] | None:
     """Where "one of A and B", "either A or B" that begins here ends, and the two."""
     words = [token.word for token in tokens]
-    if words[at] == "one" and at and words[at - 1] in STOPS and words[at + 1] in _VERBS:
-        pairs = [pair for part in sentences(tokens[:at])[-1:] for pair in _listed(part)]
+    told = words[at] == "one" and at > 0 and words[at - 1] in STOPS and words[at + 1] in _VERBS
+    if told or (words[at] == "one" and words[at - 1] in _PUT and words[at + 1] in _RELATING):
+        pairs = [pair for part in sentences(tokens[:at])[-1 if told else -2 :] for pair in _listed(part)]
         return (at + 1, pairs[0]) if len(pairs) == 1 else None
     if words[at : at + 2] != ["one", "of"]:
         return _two(tokens, at + (words[at] == "either"), ("or",)) if words[at] != "one" else None
@@ -122,9 +134,15 @@ def _one_of(tokens: list[Token], at: int) -> tuple[int, Pair] | None:
 def _listed(part: list[Token]) -> list[Pair]:
     """The two things that a sentence lists, if it names no others."""
     words = [token.word for token in part]
-    found = [two for n in range(len(part)) if words[n] in _ARTICLES and (two := _two(part, n, *_ALSO)) is not None]
+    begins = [n for n in range(len(part)) if words[n] in _ARTICLES or (n > 1 and _counted(words[n - 2 : n]))]
+    found = dict(two for n in begins if (two := _two(part, n, *_ALSO)) is not None)
     named = sum(word in lexicon.COLOR for word in words) if len(found) == 1 else 0
-    return [pair for _, pair in found] if named in (0, 2) else [pair for _, pair in found] * 2
+    return list(found.values()) if named in (0, 2) else [*found.values()] * 2
+
+
+def _counted(ahead: list[str]) -> bool:
+    """ "(two) blocks, (A and B)"."""
+    return ahead[0] in _NOUNS and ahead[1] in (",", ":")
 
 
 _ALSO = (("and", "there", "is"), ("and",))

@@ -10,7 +10,7 @@ from rpg.language.grammar.things import amounts
 from rpg.language.grammar.things.adjectives import adjectives, color
 from rpg.language.grammar.things.brackets import counted_aside
 from rpg.language.grammar.things.excepted import and_no_other, exceptions
-from rpg.language.grammar.things.labels import label_list
+from rpg.language.grammar.things.labels import TOO, label_list
 from rpg.language.grammar.things.not_so import not_so
 from rpg.language.grammar.things.of_both import of_both
 from rpg.language.grammar.things.retold import (
@@ -270,7 +270,7 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
         if joined:
             stopped = len(items) == 1 and p.words[at : at + 1] == [","] and now == "and"
             shared = shares_head(items[-1], item, p.words[j - 1] == "ones") or any(map(shares_head, items, items[1:]))
-            if stopped and p.stands(j, _TOO):
+            if stopped and p.any_of(j, TOO):
                 continue  # "A left of B, and C too": so is C
             cost = 6 if retold(whole) else 5 if stopped else 2 if now == "then" or shared else 0
             yield Coord(op=str(now), items=whole, span=p.span(i, j), cost=cost), j
@@ -280,14 +280,11 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
                 for end in {j: None, p.opt(j, ","): None} if same else ():
                     yield from ((replace(found, span=p.span(i, j)), end) for found in same)
                 continue
-            if len(items) == 1 and p.stands(j, _TOO):
+            if len(items) == 1 and p.any_of(j, TOO):
                 continue  # "A left of B, C too": so is C
             if op != "or" and not restates(items[-1], item) and not (len(items) == 1 and told_anew(items[0], item)):
                 yield Coord(op="and", items=whole, span=p.span(i, j), cost=6 if retold(whole) else 1), j
             yield from more(p, i, whole, j, op or "comma")
-
-
-_TOO = frozenset({"too", "also", "likewise"})
 
 
 def only_these(p: Parser, i: int, k: int, first: Meaning, j: int) -> Results[Coord]:

@@ -148,6 +148,8 @@ def label_list(p: Parser, i: int, spoken: bool = False) -> Results[tuple[tuple[s
             break
         if after == labels[-1] and p.stands(j + 1, _UPON):  # "1 on 2, 2 on 3": the next pair
             break
+        if p.follows(at + 1, (",",)) and p.any_of(j + 1, TOO):  # "A left of B, C too": so is C
+            break
         labels.append(after)
         at = j + 1
         if (k := p.one(at, _TO)) and (last := symbol(p, k, spoken)) and (run := _between(after, last)):
@@ -158,6 +160,8 @@ def label_list(p: Parser, i: int, spoken: bool = False) -> Results[tuple[tuple[s
     yield from reversed(readings)
 
 
+TOO = ("too", "also", "likewise", "as well")
+"""What says of the last one that is named what was said of the first."""
 _NAMES = {"letters": "letter", "numbers": "number", "digits": "digit", "blocks": "block", "cubes": "cube"}
 
 

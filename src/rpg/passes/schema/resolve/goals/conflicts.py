@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import product
+from itertools import pairwise, product
 
 from rpg.ir import goal as g
 from rpg.ir import relations as r
@@ -118,7 +118,9 @@ def clash(a: g.Goal, b: g.Goal) -> bool:
         return _orders_differ(a, b) or _more_on_it(a, b) or _more_on_it(b, a)
     if isinstance(a, s.Spells) and isinstance(b, s.Spells):
         return set(a.blocks) == set(b.blocks) and a.word != b.word
-    if any(way(one, two) for way in (_along_and_across, _on_and_beside) for one, two in ((a, b), (b, a))):
+    if any(
+        way(one, two) for way in (_along_and_across, _on_and_beside, _lies_elsewhere) for one, two in ((a, b), (b, a))
+    ):
         return True
     if isinstance(a, s.Equation) and isinstance(b, s.Equation):
         return set(a.blocks) == set(b.blocks) and None not in (a.text, b.text) and a.text != b.text
@@ -169,6 +171,21 @@ def _on_and_beside(on: g.Goal, beside: g.Goal) -> bool:
         return False
     one = len(members(on.a)) == len(members(on.b)) == 1
     return one and {*members(on.a), *members(on.b)} == {*members(beside.a), *members(beside.b)}
+
+
+def _lies_elsewhere(stack: g.Goal, other: g.Goal) -> bool:
+    """A stack told block by block, against one of its blocks on the table or on another block than the one below it,
+    or another block on one that has the next of them on it."""
+    if not isinstance(stack, s.Stack) or stack.order.by != "given" or not isinstance(other, r.On | r.OnTable):
+        return False
+    ranks = stack.order.ranks if stack.order.first != "top" else stack.order.ranks[::-1]
+    upper, lower = {n for rank in ranks[1:] for n in rank}, {n for rank in ranks[:-1] for n in rank}
+    if isinstance(other, r.OnTable):
+        return isinstance(other.a, tuple) and not upper.isdisjoint(other.a)
+    next_to = {(a, b) for under, over in pairwise(ranks) for a in over for b in under}
+    within = {(a, b) for rank in ranks if len(rank) > 1 for a in rank for b in rank}
+    pairs = {*product(members(other.a), members(other.b))} - next_to - within
+    return any(a in upper or b in lower for a, b in pairs)
 
 
 def _of(beside: r.Directional | r.Beside, there: r.OnPatch) -> bool:

@@ -43,7 +43,8 @@ def check(goal: g.Goal, scene: Scene) -> None:
 
 
 def _swapped_in_what_is_built(parts: list[g.Goal], scene: Scene) -> None:
-    """Refuse "a row of A, B and C, but swap A and C": in the row, or with where each of them starts?"""
+    """Refuse "a row of A, B and C, but swap A and C": in the row, or with where each of them starts? And "red on blue,
+    green on yellow. Swap red and green", where these are no more as they were told."""
     begun = {n for start in scene.start_goals for n in names_in(start)}
     wholes = [{*x.blocks} for x in parts if isinstance(x, s.Row | s.Stack | s.Cells | s.Spells | s.Equation)]
     for swap in (x for x in parts if isinstance(x, r.Swapped)):
@@ -51,6 +52,10 @@ def _swapped_in_what_is_built(parts: list[g.Goal], scene: Scene) -> None:
         if not two & begun and any(two <= whole for whole in wholes):
             raise refuse("ambiguous", "the places that these have in what is built, or those where they start?",
                          swap.span, "say how it should be in the end, or how the blocks start")  # fmt: skip
+        placed = [*wholes, *({*members(x.a)} for x in parts if isinstance(x, r.On))]
+        if not two & begun and sum(not two.isdisjoint(whole) for whole in placed) > 1:
+            raise refuse("contradiction", "these are swapped, and stand at the end as they are told", swap.span,
+                         "say how it should be in the end, or how the blocks start")  # fmt: skip
 
 
 def _above_side_by_side(parts: list[g.Goal]) -> None:

@@ -150,6 +150,8 @@ def _alone(ref: Ref, spec: Spec) -> None:
     marks = [mark for mark in marks if not isinstance(mark, TableTop)]  # "touching blue, side by side on the table"
     mark = marks[0] if len(marks) == 1 else None
     one = len(ref.names) == 1 or (len(ref.built) == 1 and ref.built[0].kind == "stack")
+    if isinstance(mark, Pronoun) and mark.word in ("it", "them") and one:
+        _said_of(mark, spec)
     if not isinstance(mark, Noun | Structure) or getattr(mark, "head", "") == "patch":
         return
     if not one:
@@ -157,10 +159,16 @@ def _alone(ref: Ref, spec: Spec) -> None:
         return
     if len(ref.names) > 1 and mark.plural:
         return
-    known = replace(mark, det="the", amount=None) if mark.amount in (None, Amount(1, 1)) else mark
+    _said_of(replace(mark, det="the", amount=None) if mark.amount in (None, Amount(1, 1)) else mark, spec)
+
+
+def _said_of(mark: Meaning, spec: Spec) -> None:
+    """What is said "to each other" is said of this one."""
     beside = {"side_by_side": "beside"}
     spec.places = [
-        replace(p, landmark=known, rel=beside.get(p.rel, p.rel)) if isinstance(p, Loc) and _mutual(p) else p
+        replace(p, landmark=mark, rel=beside.get(p.rel, p.rel), mods=(*p.mods, "level"))
+        if isinstance(p, Loc) and _mutual(p)
+        else p
         for p in spec.places
     ]
 

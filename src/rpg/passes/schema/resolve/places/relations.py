@@ -342,10 +342,11 @@ def _relate(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal
     if loc.rel in DIRECTIONS:
         return _directional(theme, mark, loc, scene, span)
     together = bool(theme.built) and not (len(theme.built) == 1 and theme.built[0].kind == "stack")
+    b = carrier(foot(mark), scene, level=True) if "level" in loc.mods else foot(mark)
     if loc.rel == "distance":
         return spread(
             theme,
-            lambda a: r.Distance(a=a, b=foot(mark), minimum=loc.low, maximum=loc.high, measure=measure(loc), span=span),
+            lambda a: r.Distance(a=a, b=b, minimum=loc.low, maximum=loc.high, measure=measure(loc), span=span),
             span,
             together,
         )
@@ -354,7 +355,7 @@ def _relate(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal
         if loc.rel == "beside" and "immediate" in loc.mods:
             node = r.Adjacent
         if loc.rel == "touching":
-            return spread(theme, lambda a: node(a=a, b=foot(mark), span=span), span, together=bool(theme.built))
+            return spread(theme, lambda a: node(a=a, b=b, span=span), span, together=bool(theme.built))
         b = carrier(foot(mark), scene, level=loc.rel in ("beside", "adjacent"))
 
         def level(a: Operand) -> g.Goal:

@@ -5,7 +5,21 @@ from __future__ import annotations
 import re
 
 from rpg.core.diagnostics import Refusal
-from rpg.language.meaning import Chain, Clause, In, Loc, Manner, Meaning, Noun, Pronoun, Spacing, parts_of, replace
+from rpg.language.meaning import (
+    Chain,
+    Clause,
+    In,
+    Into,
+    Loc,
+    Manner,
+    Meaning,
+    Noun,
+    Pronoun,
+    Spacing,
+    Structure,
+    parts_of,
+    replace,
+)
 from rpg.passes.schema.resolve.things.world import refuse
 
 _SIDES = frozenset({"left", "right", "front", "behind", "beside"})
@@ -27,6 +41,8 @@ def shared_gaps(chain: Chain, text: str) -> Chain:
         told = _told_last(clause, clauses[n - 1]) if n and chain.links[n] == "and" else None
         if told is not None and _SET_OFF.search(text[: told.span[0] + 1]):
             raise _of_which(told)
+        if n and chain.links[n] == "and" and (apart := _apart(clause, clauses[n - 1], text)):
+            clause = clauses[n] = _of_the_two(clause, apart, clauses[n - 1])
         gap = _gap(clause)
         if gap is not None and _told_within(clause):
             raise _of_which(gap)
@@ -80,8 +96,58 @@ def _gap(clause: Meaning) -> Loc | Spacing | None:
     gap = clause.adjuncts[-1] if isinstance(clause, Clause) and _pair(clause, 2) else None
     if isinstance(gap, Spacing):
         return gap if gap.kind == "touching" else None
-    mutual = isinstance(gap, Loc) and isinstance(gap.landmark, Pronoun) and gap.landmark.word == "each other"
-    return gap if isinstance(gap, Loc) and mutual and gap.rel in ("distance", "touching") else None
+    return gap if isinstance(gap, Loc) and _mutual(gap) else None
+
+
+def _mutual(gap: Meaning) -> bool:
+    each_other = isinstance(gap, Loc) and isinstance(gap.landmark, Pronoun) and gap.landmark.word == "each other"
+    return isinstance(gap, Loc) and each_other and gap.rel in ("distance", "touching")
+
+
+def _apart(clause: Meaning, before: Meaning, text: str) -> Loc | Spacing | None:
+    """What a comma sets off behind a line or a group that is made, where nothing such is told of the one before: how
+    far apart things are, or that they touch."""
+    told = _gaps(clause) if _made(clause) and not _gaps(before) else []
+    said = [x for x in told if _BLOCKS.isdisjoint(text[slice(*x.span)].lower().split())]
+    return next((x for x in said if _SET_OFF.search(text[: x.span[0] + 1])), None)
+
+
+_BLOCKS = frozenset({"blocks", "cubes", "neighbors", "neighbours"})
+
+
+def _gaps(clause: Meaning) -> list[Loc | Spacing]:
+    adjuncts = clause.adjuncts if isinstance(clause, Clause) else ()
+    return [x for x in adjuncts if (isinstance(x, Loc) and _mutual(x)) or isinstance(x, Spacing)]
+
+
+def _made(clause: Meaning) -> str:
+    """The kind of the one line or group that a clause makes of some blocks."""
+    if not isinstance(clause, Clause):
+        return ""
+    into = [x.structure for x in clause.adjuncts if isinstance(x, Into)]
+    made = [x for x in (clause.theme, *into) if isinstance(x, Structure) and not x.plural]
+    return made[0].kind if len(made) == 1 and made[0].kind in _LOTS else ""
+
+
+_LOTS = frozenset({"row", "line", "column", "pile", "again"})
+
+
+def _of_the_two(clause: Meaning, apart: Loc | Spacing, before: Meaning) -> Meaning:
+    """ "(the red ones in one group and) the blue ones in another, 20 cm apart": of the groups, as it is not said of the
+    blocks of one; of those of a line it could be said.
+
+    Raises:
+        Refusal: they are lines.
+    """
+    one = _made(before)
+    if not (one and isinstance(before, Clause) and isinstance(clause, Clause)):
+        return clause
+    if one != "pile" or not isinstance(apart, Loc) or not isinstance(before.theme, Noun):
+        raise refuse("ambiguous", "of the blocks of the last of these, or of the two?", apart.span,
+                     "say 'the two rows are 10 cm apart', or '5 cm between its blocks'")  # fmt: skip
+    others = replace(before.theme, det="the", amount=None, plural=True)
+    adjuncts = tuple(replace(x, landmark=others) if x is apart else x for x in clause.adjuncts)
+    return replace(clause, adjuncts=adjuncts)
 
 
 def _check_piled(clause: Meaning, alone: bool) -> None:

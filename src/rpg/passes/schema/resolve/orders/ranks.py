@@ -144,7 +144,7 @@ _LINES = ("row", "line", "column", "word")
 
 
 def _all_alike(built: Built, scene: Scene, *told: str) -> bool:
-    """Whether the blocks of a structure are known to look alike, and nothing is said to be on them yet but on those `told`."""
+    """Whether the blocks of a structure are known to look alike, and nothing but on those `told` is on them yet."""
     things = [scene.things[n] for n in built.members]
     looks = {(t.color, t.label, t.kind, t.size) for t in things}
     return (

@@ -58,7 +58,7 @@ def as_typed(tokens: list[Token]) -> list[Token]:
 
 
 def _drawn_out(token: Token) -> Token:
-    """ "Pleeeease", "aaaand", "sooo": the word that is drawn out; "XXX" shows what it says."""
+    """ "Pleeeease", "aaaand", "reeed": the word that is drawn out; in capitals it shows what it says."""
     if token.kind != "word" or _LONG.search(token.word) is None or token.raw.isupper() or exclaimed(token.word):
         return token
     short = (_LONG.sub(r"\1" * many, token.word) for many in (1, 2))

@@ -93,7 +93,7 @@ def heading(tokens: Sequence[Token]) -> int:
     distractors (from the pilot study):"."""
     end = next((n for n in range(min(2 * LONGEST, len(tokens) - 1)) if sets_off(tokens, n)), 0)
     mark = end
-    if end > 1 and tokens[end - 1].kind == "number" and tokens[end - 2].word in TESTS | PEOPLE | OCCASIONS:
+    if end > 1 and tokens[end - 1].kind == "number" and _numbered([token.word for token in tokens[: end - 1]]):
         end -= 1
     told = _without_aside(tokens[:end])
     words = [token.word for token in told]
@@ -111,6 +111,11 @@ def heading(tokens: Sequence[Token]) -> int:
     behind = tokens[mark + 1 :]
     named = plain or seen or _named_again(told, behind)
     return mark + 1 if named and ordered_again(words, behind) else 0
+
+
+def _numbered(words: Sequence[str]) -> bool:
+    """Whether a number behind these tells which one it is: "reviewer (2)", "regression test for issue (12)"."""
+    return words[-1] in TESTS | PEOPLE | OCCASIONS or (is_strange(words[-1]) and not TESTS.isdisjoint(words))
 
 
 def name_alone(tokens: Sequence[Token], behind: Sequence[Token]) -> bool:
@@ -149,9 +154,14 @@ def _names_nothing(tokens: Sequence[Token], n: int) -> bool:
     """Whether a word of a heading carries nothing: "(treasure) room" is a name, and so is "long-(horizon)"."""
     word, after = tokens[n].word, [token for token in tokens[n + 1 : n + 3] if token.word != "-"]
     named = word == "room" and not after and n > 0 and tells_nothing(tokens[n - 1].word)
-    bound = bool(after) and after[0].joined and is_strange(after[0].word) and not tells(tokens[n])
+    joined = after[0].word if after and after[0].joined else ""
+    bound = joined in _AT_A_TIME or (is_strange(joined) and not tells(tokens[n]))
     how = is_strange(word) and may_tell_how(word)
     return named or (tells_nothing(word) and not how) or (bound and not bends(word))
+
+
+_AT_A_TIME = listed("shot step stage hop")
+"""So many of these a task has: "zero-shot", "two-step"."""
 
 
 def _named_again(told: Sequence[Token], behind: Sequence[Token]) -> bool:

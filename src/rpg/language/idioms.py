@@ -248,6 +248,9 @@ _WHOLE = (
     "bigger|larger|harder|fancier|special|more_difficult|more_complicated|more_ambitious|different|new",
     "it|this|that|today is|'s? my|our? very? first|second|third|last day|week|time|try|attempt|shift here|today|"
     "at_work|in_the_lab|on_the_job|at_this_job|with_you|with_a_robot|with_robots?",
+    "we|i|everyone|everybody|the_kids|the_children|the_students|all_of_us all? sit|are_sitting|stand|are_standing|"
+    "gather|are_gathered in|around a|one|our|the? big|small|little? circle|ring|semicircle|table|carpet "
+    "today|now|here|together?",
     "one of these|them|those|the_things|the_blocks|the_cubes is not like the_others|the_other|the_rest|the_other_ones",
     "if you would|could|will|can? please|be_so_kind|be_so_good|be_so_nice|be_kind_enough|do_not_mind|would_not_mind|"
     "do_not_mind_me_asking|ask_me",

@@ -32,6 +32,7 @@ WISHED_ALOUD: tuple[Turn, ...] = (
     (f"\\b(?:manage|handle|pull off) (?=(?:an?|{MANY}|\\d+x\\d+) (?:\\w+ )*(?:{_FIGURE})s?\\b)", "build "),
     (f"^(?:i|we) (?:only|merely) (need|want|would like|am after) (?=(?:an?|{MANY}) )", "i {1} "),
     (f"^(?:please )?demonstrate (?=(?:an?|{MANY}) )", "build "),
+    (f"^(?:can|could|would|will) it (?:please )?(?={_DO} )", ""),
     ("^(?:looking|searching|hoping|asking) for (?=(?:an?|one) )", "i want "),
     (f"^((?:an?|one|any) (?:\\w+ )?(?:{_FIGURE})\\b[^,]*|any {MANY} (?:blocks|cubes|ones) [^,]*?) (?:will do|(?:is|are|"
      "would be|will be) (?:just |perfectly )?(?:fine|ok|okay|good|enough|perfect|sufficient))$", "i want {1}"),

@@ -80,9 +80,6 @@ CHATTER = Patterns(
     "can|could|will|would you please? do|try|solve|handle|manage|start a|an|another|the|this|my|our? easy|simple|"
     f"quick|new|next|little|small|unscramble|spelling|stacking|sorting|building|pick_and_place? {_ERRAND} for_me|"
     "for_us|now|today|please?",
-    "we|i|everyone|everybody|the_kids|the_children|the_students|all_of_us all? sit|are_sitting|stand|are_standing|"
-    "gather|are_gathered in|around a|one|our|the? big|small|little? circle|ring|semicircle|table|carpet "
-    "today|now|here|together?",
     "listen|attention|listen_up|look|look_here|pay_attention|ready|are_you_ready|wake_up|come_on|here_we_go|"
     "off_we_go|here_goes please|everyone|everybody|robot|now?",
     f"that|this|it would|will|'d be so|really|very|just? {FINE}",

@@ -151,7 +151,10 @@ FREE = (
     *(f"{lead} {hues}"
       for lead in ("i do not care about", "do not care about", "never mind", "no matter", "i do not mind")
       for hues in ("colors", "the colors", "the color")),
-    "colors random", "color random", "nothing else counts",
+    "colors random", "color random", "nothing else counts", "it is fine either way", "fine either way",
+    *(f"{the}order of {doing} {free}"
+      for the in ("the ", "") for doing in ("stacking", "placing", "placement", "doing it")
+      for free in ("does not matter", "is not important", "is free", "is irrelevant", "is up to you", "is open")),
     *(f"{what} {free}" for what in ("color", "colors", "order", "sizes", "the rest", "the others", "rest", "others")
       for free in ("whatever", "whichever", "any", "not important", "unimportant", "irrelevant", "up to you")),
     *(f"{who} do not {care} the {rest}" for who in ("i", "we") for care in ("care about", "mind", "mind about")

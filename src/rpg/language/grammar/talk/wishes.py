@@ -196,6 +196,7 @@ STATES = Patterns(
     "final|end|goal|target|desired? state|configuration|situation|arrangement|scene|result|layout|setup|outcome "
     "where|in_which|such_that|so_that|with|that_has|that_shows|:",
     f"success {_WHEN}",
+    f"it|this|that counts only? {_WHEN}",
     f"it|this|that is|counts_as|will_be a? win|success|victory|pass {_WHEN}",
     f"the|this|a|our? check|test|trial|task|case|scenario passes|pass|is_passed|is_met|succeeds {_WHEN}",
     f"the|a|this|any? result|solution|answer|outcome|attempt|run is|gets|counts_as "

@@ -98,6 +98,8 @@ def _done(word: str) -> bool:
     return word in lexicon.COMMANDS and word not in lexicon.POSTURE
 
 
+_NOUNS = frozenset({"stack", "line", "row", "group", "order", "shape", "form"})
+"""Commands that are called so as well, of which an N may be: "the A and the N stack"."""
 _SHAPE = frozenset({"shape", "form"})
 """Commands, too, but "u shape" is a U."""
 
@@ -113,7 +115,8 @@ def _letter(letter: str, before: str, behind: str, ahead: list[str]) -> list[str
     shape = before in ("a", "the", "letter", "one", "capital") or behind in _SHAPE
     if letter == "u" and not shape and (behind in lexicon.COMMANDS | {"guys", "are", "r"} or before in _ASKING):
         return ["you"]
-    if letter == "n" and (before in ("pls", "plz", "please", "thx", "thanks") or before in lexicon.BLOCK):
+    joins = before in ("pls", "plz", "please", "thx", "thanks") or before in lexicon.BLOCK
+    if letter == "n" and (joins or (not shape and behind in lexicon.COMMANDS - _NOUNS and len(ahead) > 1)):
         return ["and"]
     return ["okay"] if letter == "k" and not ahead else None
 

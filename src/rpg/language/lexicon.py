@@ -109,7 +109,7 @@ VERBS = {
     "reverse": "reverse",
     "swap": "swap exchange switch interchange trade",
     "keep": "keep leave",
-    "unstack": "unstack unload dismantle disassemble topple destack unpile tear",
+    "unstack": "unstack unload dismantle disassemble topple destack unpile tear demolish",
     "use": "use take",
     "touch": "touch disturb bump knock jostle",
     "ignore": "ignore",

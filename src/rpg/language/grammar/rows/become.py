@@ -20,7 +20,7 @@ from rpg.language.grammar.rows.begun import (
     UP,
 )
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, LENGTH, LINE, MANY, MUST, PATCH
+from rpg.language.grammar.rows.vocabulary import COLOR, LENGTH, LIES, LINE, MANY, MUST, PATCH, TOWER
 
 _LED = f"({END} (?:, )?)?"
 _BOTH = f"(?:they|both|the two|both {BRICK}s|both of them|the two {BRICK}s)"
@@ -31,7 +31,30 @@ _TRADE = "(?:change|switch|swap|exchange|trade)"
 _BACK = "(?:then|after that|afterwards|and then)"
 _STAYING = "(?:(?<=stay )|(?<=stays )|(?<=remain )|(?<=remains ))"
 
+_LONE = "(?:single|separate|individual|loose)"
+_WISHED = f"(?=.*\\b(?:{END}|{MUST}|goal|build|make|form|becomes?)\\b)(?!.*\\b{TIME}\\b)"
+_TOWER = f"(?:an?|one|{MANY}) {LINE}s? of {MANY}(?: {BRICK}s)?"
+_SINGLE = "(?:single|singly|individually|loose|loosely)"
+_UNSTACK = "(?:take apart|take down|dismantle|disassemble|unstack|tear down|pull down|break up|break down)"
+
 BECOME_AT_ONCE: tuple[Turn, ...] = (
+    # what is taken apart
+    (f"\\b(?:(?:pull|bring|break) down|break up) (?=(?:the|an?|this) (?:\\w+ )?(?:{LINE}|{HEAP})\\b)", "take apart "),
+    (f"^break ((?:the|an?|this) (?:\\w+ )?(?:{LINE}|{HEAP})\\b[^,]*?) (?:apart|up)$", "take apart {1}"),
+    (f"^(?:take|bring|pull|get) ((?:the|an?|this) (?:\\w+ )?{TOWER}(?: of [^,]+?)?) down(?: to the table)?$",
+     "take apart {1}"),
+    (f"^({_UNSTACK} .+?|take .+? apart) (?:in)?to (?:its |their )?(?:single|individual|separate|loose) (?:{BRICK}s|"
+     "pieces|parts)$", "{1}"),
+    (f"^({_UNSTACK} .+?|take .+? apart)(?: ,)? ({BRICK}|piece|one) by \\2$", "{1}"),
+    ("\\bon (?:its|their) own(?=$| [,:]| on the table\\b)", "by themselves"),
+    (f"\\bnothing {LIES} on(?: top of)? (?:anything|another|each other)(?: else)?$", "no block is on another"),
+    (f"\\b(?:{_SINGLE} on the table|on the table {_SINGLE})\\b", "on the table by themselves"),
+    (f"^({END} (?:, )?)there (?:is|are|{MUST} be) (?:only )?({MANY}) {_LONE} ({BRICK}s)"
+     "(?: (?:lying )?on the table)?$", "{1} the {2} {3} must be on the table"),
+    (f"^{_WISHED}(.*\\b{_TOWER})(?: ,)? and ({MANY}) {_LONE} {BRICK}s(?: (?:lying )?on the table)?$",
+     "{1} and the other {2} must be on the table"),
+    (f"^{_WISHED}(.*?)\\b({MANY}) {_LONE} {BRICK}s(?: (?:lying )?on the table)?(?: ,)? and ({_TOWER})$",
+     "{1} {3} and the other {2} must be on the table"),
     # "it starts in the left half and must stay in that half", "and must leave it"
     (f"({MUST})(?: all| both)? (?:leave|get out of) it$", "{1} not be there"),
     (f"{_STAYING}(?:in|on) (?:that|this) (?:half|side|corner|part|area|region|{PATCH})\\b", "there"),
@@ -148,3 +171,5 @@ BECOME: tuple[Turn, ...] = (
      "order reversed|in (?:reverse|reversed|the opposite) order)$", "rebuild {1} on {2} in reverse order"),
 )  # fmt: skip
 """What makes no sense as it stands, in words that do."""
+WORDS = ("singly individually loosely break broken",)
+"""Words that these take besides those that are read anyway."""

@@ -94,6 +94,9 @@ BEGUN_AT_ONCE: tuple[Turn, ...] = (
      f"(?=(?:an?|two|three) (?:\\w+ )?{_SHAPE}s?\\b)", "at the start there is "),
     (f"\\b(?:(?:at|on|upon) reset|when (?:the|this|an|each|every) {EVENT} (?:starts|begins)|when (?:we|you) "
      "(?:start|begin)(?= [,:]|$))\\b", "at the start"),
+    (f"^everything {STARTS} ", "all blocks start "),
+    (f"^({TIME})(?: ,)? everything {LIES} ", "{1} all blocks are "),
+    (f"^everything {LIES} ([^,]+? {TIME})$", "all blocks are {1}"),
     ("^(start|end|goal|initial state|start state|final state) , (?!then\\b|at last\\b)", "{1} : "),
     (f"^(?:start|initial state|starting (?:state|scene|position)) : "
      f"(?=.*\\b(?:{TIME}|starts?|begins?|starting)\\b)", ""),

@@ -16,13 +16,20 @@ Goals = Sequence[g.Goal]
 
 def comes_later(before: Goals, after: Goals, clause: Clause | None, scene: Scene) -> bool:
     """Whether a clause, or a sentence, tells a later step."""
-    return bool(before) and (_restacked(before, after, scene) or _refilled(before, after, scene) or _put_back(clause))
+    restacked = bool(before) and _restacked(before, after, scene) and not _left(clause)
+    return bool(before) and (restacked or _refilled(before, after, scene) or _put_back(clause))
 
 
 def _restacked(before: Goals, after: Goals, scene: Scene) -> bool:
     """ "unstack the tower and rebuild it": what was taken apart is stacked afterwards, not at the same time."""
     taken = [x for x in before if isinstance(x, r.OnTable) and scene.unstacked.issuperset(members(x.a))]
     return bool(taken) and any(undoes(x, y) for x in after for y in taken)
+
+
+def _left(clause: Clause | None) -> bool:
+    """ "(Take the tower apart,) but leave two of them stacked": they are so all the time."""
+    theme, word = (clause.theme, clause.word) if clause is not None else (None, None)
+    return theme is not None and word is not None and getattr(clause, "verb", "") == "stack" and word > theme.span
 
 
 def _refilled(before: Goals, after: Goals, scene: Scene) -> bool:

@@ -111,7 +111,7 @@ def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope
             for i in spec.intos
             if not (isinstance(i.structure, Structure) and i.structure.kind == "pile" and not i.structure.plural)
         ]
-    if spec.ats and not spec.intos and verb == "be":
+    if not spec.intos and ((spec.ats and verb == "be") or (spec.places and verb in ("be", "place"))):
         spec.orders = [o for o in spec.orders if o.by != "any"]
     heaped = [p for p in spec.places if isinstance(p, Loc) and p.rel == "heaped"]
     spec.places = [p for p in spec.places if p not in heaped]

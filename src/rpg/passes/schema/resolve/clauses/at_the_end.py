@@ -33,14 +33,29 @@ def of_its_end(chains: tuple[Chain, ...], n: int, text: str) -> bool:
 
 def there_before(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
     """The sentences, with structures that there are told of the start where another one is wished for behind them: they
-    are no picture of the end."""
+    are no picture of the end. Nor are towers of which the end is told behind them, while the end of a row is a place.
+    """
     final = [of_its_end(chains, n, text) or demanded(chains, n, text) for n in range(len(chains))]
     wished = (n for n, chain in enumerate(chains) if any(_wished(c, text, final[n]) for c in chain.clauses))
     last = max(wished, default=0)
+    ended = max((n for n in range(1, len(chains)) if _ENDED.search(_before(chains, n, text))), default=0)
     return tuple(
-        replace(chain, clauses=tuple(map(_begun, chain.clauses))) if n < last and not final[n] else chain
+        replace(chain, clauses=tuple(_begun(c, flat=n < last) for c in chain.clauses))
+        if n < max(last, ended) and not final[n]
+        else chain
         for n, chain in enumerate(chains)
     )
+
+
+def _before(chains: tuple[Chain, ...], n: int, text: str) -> str:
+    """What stands in front of the first words of a sentence, up to the one before it."""
+    return text[chains[n - 1].span[1] : chains[n].clauses[0].span[0]]
+
+
+_ENDED = re.compile(
+    r"\b(?:at|in|by) the (?:very )?end\s*(?:of the (?:episode|task|game|run|trial)\s*)?,?\s*$|\bfinally\b", re.I
+)
+"""Words of the end in front of what is so then."""
 
 
 def _wished(clause: Meaning, text: str, final: bool) -> bool:
@@ -52,6 +67,11 @@ def _wished(clause: Meaning, text: str, final: bool) -> bool:
     return new and (final or _ASKED.search(text[slice(*clause.span)]) is not None)
 
 
-def _begun(clause: Meaning) -> Meaning:
-    """The clause, told of the start if it tells of a structure that there is."""
-    return replace(clause, lemma="begun") if there_is(clause) and isinstance(clause.theme, Structure) else clause
+def _begun(clause: Meaning, flat: bool) -> Meaning:
+    """The clause, told of the start if it tells of a structure that there is. `flat`: of lines on the table too."""
+    theme = clause.theme if there_is(clause) else None
+    told = isinstance(theme, Structure) and (flat or theme.kind not in _LINES)
+    return replace(clause, lemma="begun") if told and isinstance(clause, Clause) else clause
+
+
+_LINES = ("row", "line", "column")

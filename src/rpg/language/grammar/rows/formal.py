@@ -41,6 +41,7 @@ from rpg.language.grammar.rows.lots_told import LOTS, LOTS_AT_ONCE
 from rpg.language.grammar.rows.not_at_end import NOT_THERE, NOT_THERE_AT_ONCE, not_at_end
 from rpg.language.grammar.rows.not_consecutive import not_consecutive
 from rpg.language.grammar.rows.of_each_color import of_each_color
+from rpg.language.grammar.rows.on_several import ON_SEVERAL, ON_SEVERAL_AT_ONCE
 from rpg.language.grammar.rows.one_more import one_more
 from rpg.language.grammar.rows.order_matters import ORDER_MATTERS_AT_ONCE
 from rpg.language.grammar.rows.ordered import ORDERED, ORDERED_AT_ONCE
@@ -144,6 +145,7 @@ _OF_ALL = (
     *ALTERNATIVES_AT_ONCE,
     *TOLD_ONCE,
     *ROWS_PLACED,
+    *ON_SEVERAL_AT_ONCE,
 )
 """The rows of every sentence."""
 _OF_THE_UNREAD = (
@@ -178,6 +180,7 @@ _OF_THE_UNREAD = (
     *QUANTIFIED,
     *UTMOST_TOLD,
     *KEPT_AND_MOVED,
+    *ON_SEVERAL,
     *TOWERS,
     *UPWARD,
     *ASKED_ALOUD,

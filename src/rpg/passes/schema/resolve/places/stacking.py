@@ -94,7 +94,7 @@ def vertical(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goa
             "ambiguous",
             "one block cannot lie on several blocks; it is not clear which is meant",
             loc.span,
-            "name one of them, or say 'on both blue blocks'" if len(b) == _ACROSS else "name one of them",
+            "name one of them, or say 'on both blue blocks'" if len(b) == 2 else "name one of them",
         )
     return spread(theme, lambda a: _on_operand(a, b, scene, span), span)
 
@@ -110,13 +110,13 @@ def _so_many_on(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.
     return spread(theme, lambda a: disj([r.On(a=a, b=(one,), span=span) for one in mark.names], span), span)
 
 
-_ACROSS = 2
-"""So many blocks a single one may lie across."""
+_ACROSS = {2: (2, 1), 4: (2, 2)}
+"""So many blocks a single one may lie across, and how these lie."""
 
 
 def _bears(theme: Ref, below: tuple[str, ...], scene: Scene) -> bool:
-    """Whether one block may lie across these: two on the table, as large as it is."""
-    single = len(theme.names) == 1 and not theme.built and len(below) == _ACROSS and EACH not in (*below, *theme.names)
+    """Whether one block may lie across these: two or four on the table, as large as it is."""
+    single = len(theme.names) == 1 and not theme.built and len(below) in _ACROSS and EACH not in (*below, *theme.names)
     sizes = {scene.things[name].size for name in (*theme.names, *below)} if single else set()
     return len(sizes) == 1 and scene.on_top.keys().isdisjoint(below) and not {*below} & {*scene.on_top.values()}
 
@@ -129,10 +129,10 @@ def _both(theme: Ref, loc: Loc) -> bool:
 
 
 def across(top: str, below: tuple[str, ...], scene: Scene, span: Span) -> g.Goal:
-    """ "The black block rests on both white ones": two side by side and one on them both."""
-    scene.assume("a block on two others lies across them, as in a pyramid")
+    """ "The black block rests on both white ones": two side by side, or four in a square, and one on them all."""
+    scene.assume(f"a block on {'two' if len(below) == 2 else 'four'} others lies across them, as in a pyramid")
     order = Order(by="given", ranks=((top,), below))
-    return s.Pyramid(blocks=(*below, top), base=(_ACROSS, 1), pattern=Pattern(kind="reading", order=order), span=span)
+    return s.Pyramid(blocks=(*below, top), base=_ACROSS[len(below)], pattern=Pattern(kind="reading", order=order), span=span)
 
 
 def _as_a_tower(mark: Ref, scene: Scene) -> Ref:

@@ -25,6 +25,7 @@ GLUE: list[Pattern] = [
     *patterns("glue", None, "(?:made|consisting|consists|composed|built|formed up|formed|laid out|laid|constructed|"
         "assembled|arranged|put together|set up)"
         "(?: out)?(?: of| from| by| with)?"),
+    *patterns("glue", None, "(?:is it |would it be |it be |it is )?possible (?:to|for (?:you|the robot) to|that you)"),
     *patterns("glue", None, "make|build up|build|create|construct|put together|put|place|set up|set out|set|arrange|"
         "lay out|lay down|lay|assemble|"
         "organize|form|forms|give|"

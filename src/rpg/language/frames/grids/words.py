@@ -252,7 +252,7 @@ JOINTS: list[Pattern] = [
         "solely|purely|only|just|nothing but|everything|everything is|all of (?:it|them)|the whole thing|throughout|"
         "it is all|all|for|becomes?|(?:so )?(?:it|they) (?:becomes?|forms?|makes?|is|are)|making|forming|surrounded by|"
         "a (?:row|line|layer) of|over the 4|centered)",
-        "stack up|erect|fill|tile|cover|enter|write|assemble|(?:is it |would it be |it be )?possible to|layout|"
+        "stack up|erect|fill|tile|cover|enter|write|assemble|layout|"
         "showing|shows|occupy|occupies|hey|hi|hello|ok|okay|so|"
         "(?:would )?(?:you )?mind|building|making|constructing|arranging|laying|placing|putting|creating|down|"
         "(?:my|our) (?:son|daughter|kid|kids|child|boss|friend|wife|husband|customer|client)(?: wants?| needs?)?|"

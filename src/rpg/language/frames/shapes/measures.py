@@ -43,14 +43,14 @@ SIZES: list[Pattern] = [
         f"(?:one|{_SIDE}){_AND} (?P<a>NUM)(?: BLOCK)? (?:(?:along|on|in|for|to) )?(?:the |each |its |both )?(?:2 "
         f")?(?:long|longer) (?:one|ones|{_SIDE})"),
     *patterns("dims", lambda m: ("sides", number(m["a"]), number(m["b"])),
-        f"(?:with )?(?:the |its )?(?:2 )?long(?:er)? {_SIDE} {HAS}(?P<a>NUM)(?: BLOCK)?(?: long)?{_AND} (?:the |"
-        f"its )?(?:2 )?short(?:er)? (?:ones|{_SIDE}) {HAS}(?P<b>NUM)(?: BLOCK)?(?: long)?"),
+        f"(?:with |whose )?(?:the |its )?(?:2 )?long(?:er)? {_SIDE} {HAS}(?P<a>NUM)(?: BLOCK)?(?: long)?{_AND} (?:the |"
+        f"its |whose )?(?:2 )?short(?:er)? (?:ones|{_SIDE}) {HAS}(?P<b>NUM)(?: BLOCK)?(?: long)?"),
     *patterns("dims", lambda m: ("wide", number(m["b"]), number(m["a"])),
         "(?:in )?(?P<a>NUM) rows (?:of|with) (?P<b>NUM)(?: BLOCK)?(?: each)?(?! (?:SIZE )?COLOR)"),
     *patterns("side", lambda m: number(m["count"]),
         f"(?:with )?{COUNT}{_MADE_LONG} (?:per|on|along|in|for|at|to|down|each|every|makes?|make up|form|forming|"
         f"a)(?: {_EACH})? {_SIDE}",
-        f"(?:with |and |so that )?(?:{_EACH} |the length of {_EACH} )?{_SIDE} {HAS}(?:exactly )?{COUNT}{_MADE_LONG}",
+        f"(?:with |and |so that |whose )?(?:{_EACH} |the length of {_EACH} )?{_SIDE} {HAS}(?:exactly )?{COUNT}{_MADE_LONG}",
         f"(?:with )?(?:(?:a|the|its) )?(?:side|edge)(?: length| size)? {HAS}{COUNT}{_MADE_LONG}",
         f"{COUNT}{_MADE_LONG} (?:a|per|each) {_SIDE}"),
     *patterns("rows", lambda m: [number(n) for n in re.findall(r"\d+|one", m[0])],

@@ -19,6 +19,7 @@ from rpg.language.frames.lots import (
 from rpg.language.frames.pieces import Piece, Unclear
 from rpg.language.frames.shapes.stairs_words import NTH, OVER
 from rpg.language.frames.shapes.stairs_words import PATTERNS as PATTERNS
+from rpg.language.lexicon import RAINBOW
 
 
 def told(pieces: Sequence[Piece]) -> str:
@@ -31,6 +32,7 @@ def told(pieces: Sequence[Piece]) -> str:
     check_listed(pieces)
     check_owned(pieces, ("way", "low", "place", "end"))
     _check_figure(pieces)
+    _check_rainbow(pieces)
     steps = _steps(pieces)
     total = one(pieces, "total")
     size = total.value if total else None
@@ -145,8 +147,27 @@ def one_of(pieces: Sequence[Piece], kind: str) -> bool:
 def _in_order(pieces: Sequence[Piece]) -> bool:
     """Whether the looks of the steps are listed one after the other."""
     listed = [lot_of(piece) for piece in pieces if piece.kind == "lot"]
-    led = any(one_of(pieces, kind) for kind in ("own", "order", "then"))
+    led = any(one_of(pieces, kind) for kind in ("own", "order", "then", "piled")) or _one_by_one(pieces)
     return led and len({lot.look for lot in listed}) > 1 and not one_of(pieces, "place")
+
+
+def _one_by_one(pieces: Sequence[Piece]) -> bool:
+    """ "Stairs: one red, two orange, three yellow": such numbers behind a colon are those of the steps."""
+    colon = next((n for n, piece in enumerate(pieces) if piece.words == ":"), len(pieces))
+    counts = [lot_of(piece).count or 0 for piece in pieces[colon:] if piece.kind == "lot"]
+    return len(counts) > 2 and sorted(counts) == [*range(1, len(counts) + 1)]
+
+
+def _check_rainbow(pieces: Sequence[Piece]) -> None:
+    """ "Rainbow stairs: one red, two orange, three yellow".
+
+    Raises:
+        Unclear: no colours are listed, or not in that order.
+    """
+    if one(pieces, "rainbow"):
+        hues = [RAINBOW.index(look) if (look := lot_of(p).look) in RAINBOW else -1 for p in pieces if p.kind == "lot"]
+        if len(hues) < 3 or -1 in hues or hues not in (sorted(hues), sorted(hues, reverse=True)):
+            raise Unclear
 
 
 def _ordered(pieces: Sequence[Piece]) -> list[tuple[str, str]]:

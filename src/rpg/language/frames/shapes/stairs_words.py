@@ -10,10 +10,11 @@ from rpg.language.frames.shared import BREAKS, GLUE, WHERE
 
 _COLUMN = "(?:steps|columns?|treads?|stacks?|towers?|levels?)"
 _STEP = "(?:steps?|stairs?|columns?|treads?|stacks?|towers?|levels?)"
-_HEIGHT = rf"(?:\d+|one|a|an)(?: single)?(?: BLOCK)?(?: (?:high|tall|stacked))?(?: BLOCK)?(?: {_STEP})?"
+_PILE = "(?:first )?(?:an? (?:stack|tower|pile|column) of )?"
+_HEIGHT = rf"{_PILE}(?:\d+|one|a|an)(?: single)?(?: BLOCK)?(?: (?:high|tall|stacked))?(?: BLOCK)?(?: {_STEP})?"
 _SEP = (
     "(?: ,| ;| and| plus| then| next| after that| afterwards| followed by| beside it| beside that| next to it| next to "
-    "that)+"
+    "that|next to those|next to them|next to these|beside those|beside them)+"
 )
 _BE = "(?:(?:BE|has|have|with|of|:) )*"
 _LIST = rf"(?:{_HEIGHT}(?:(?:{_SEP})? {_HEIGHT}){{2,}}|{_HEIGHT}{_SEP} {_HEIGHT}(?! COLOR))"
@@ -58,7 +59,7 @@ def _toward(side: str) -> str:
 
 def _heights(match: re.Match[str]) -> tuple[int, ...]:
     """The numbers of a list of heights."""
-    said = re.findall(r"\b(?:\d+|one|an?)\b(?! single)", match["list"])
+    said = re.findall(r"\b(?:\d+|one|an?)\b(?! (?:single|stack|tower|pile|column))", match["list"])
     return tuple(int(word) if word.isdigit() else 1 for word in said)
 
 
@@ -155,6 +156,11 @@ PATTERNS: list[Pattern] = [
         "order) )*"
         "(?P<hues>COLOR(?:(?: ,| and| then)* COLOR)+)(?: (?:respectively|in (?:this|that) order))?",
         "(?:in )?(?P<hues>COLOR(?:(?: ,| and)* COLOR)+)(?: BLOCK)?(?: ,)? (?:respectively|in (?:this|that) order)"),
+    *patterns("rainbow", True, "(?:an? )?rainbow(?: colored)?(?= (?:stair|step|flight))", "(?:in|with) (?:the )?(?:colors of "
+        "(?:the|a) rainbow|rainbow (?:colors|order))"),
+    *patterns("piled", None, "(?:(?:BE )?stacked |piled )?(?:on top of (?:each other|one another)|(?:one|each) (?:up)?on "
+        "(?:top of )?the other)", "(?:BE )?(?:stacked|piled)(?: up)?(?= [,;.:]| and | $)"),
+    *patterns("then", None, "(?:(?:,|;|and) )*(?:next to|beside) (?:it|that|them|those|these)(?: BE)?"),
     *patterns("then", None, "(?:,|;)?(?: and)? ?(?:then|next|after that|finally)", ", (?:then|next|finally)",
         "and (?:then|finally)"),
     *patterns("own", None,

@@ -3,6 +3,7 @@ cubes long", as rows that say it plainly."""
 
 from __future__ import annotations
 
+from rpg.language.grammar.rows.figures_asked import FIGURE
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import BUILD, COLOR, FEW, MANY, MID, MUST, N
 
@@ -50,6 +51,9 @@ _WHICH = (
 )
 
 FIGURES: tuple[Turn, ...] = (
+    # which kind of it
+    (f"\\b({FIGURE}\\b[^,:]*?)(?: ,)? (?:of )?(?:the|that) (?:kind|sort|type|variety) (with|that has|which has|where|"
+     "of|made of|from)\\b", "{1} {2}"),
     # how long their sides are
     (f"\\b(triangle|square|outline)(?: ,)? (?:whose|the|its|with(?: the)?|and its) sides(?: each)? (?:{MUST} )?(?:"
      f"consist of|consisting of|are made of|made of|are built of|have|having|contain|are|of) ({MANY}(?: {COLOR})? "

@@ -38,9 +38,16 @@ def _layers(look: str = "") -> tuple[tuple[str, str], ...]:
 _SIZED = "(\\d+x\\d+|(?:\\d+|two|three) by (?:\\d+|two|three))"
 _ARE = f"(?:is|are|{MUST} be)"
 
+_OF_SQUARES = "(?:5|five|14|fourteen|30|thirty)"
+"""So many blocks make a pyramid with a square base."""
+
 PYRAMIDS: tuple[Turn, ...] = (
     ("\\bpyramid (?:- )?(?:like|shaped) (?:stack|pile|figure|shape|structure|tower|heap)\\b", "pyramid"),
     ("\\b(pyramid) on (an? base of)\\b", "{1} with {2}"),
+    # a pyramid without a square base is in one plane anyway
+    (f"\\b(pyramid)(?: ,)? (?:(?:all|standing|built|lying) )*(?:in|within) (?:one|a|a single|one single|the same)(?: "
+     f"vertical| upright)? plane\\b(?!.*(?:\\bsquare\\b|\\d+x\\d|\\bby\\b|\\b{_OF_SQUARES} (?:{COLOR} )?(?:blocks|cubes)))",
+     "{1}"),
     (f"{_HEAD} ({MANY}){N}{_BOTTOM}{_AND}(?: always)? one{N} (?:fewer|less){N}(?: (?:in|on|for|with|at))? (?:each|"
      "every)(?: next| following| further)?(?: row| layer| level| course| step)?(?: above(?: it| that| them)?| up| "
      "higher up| on top)?$", "{1} with a base of {2}"),
@@ -101,5 +108,5 @@ PYRAMIDS: tuple[Turn, ...] = (
      "{1} {6} {2} and one {4} {5}"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
-WORDS = ("crowning capping narrows",)
+WORDS = ("crowning capping narrows plane",)
 """Words that these take besides those that are read anyway."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.things.nouns import noun_phrase
-from rpg.language.meaning import Amount, Coord, Loc, Meaning, Noun, Pronoun
+from rpg.language.meaning import Amount, Coord, Loc, Meaning, Noun, Pronoun, Traits
 
 _LEADS = ("across the top of", "across the tops of", "across", "bridging", "spanning", "straddling")
 _PAIR = frozenset({"both", "both of them", "them", "the two", "the two of them"})
@@ -39,8 +39,9 @@ def _over(p: Parser, i: int, k: int, mark: Meaning) -> Loc:
 
 
 def _four(mark: Meaning) -> bool:
-    """ "(all) four blue blocks", "a square of four", "the square"."""
-    return isinstance(mark, Noun) and mark.head != "patch" and mark.amount == Amount(4, 4)
+    """ "(all) four blue blocks"."""
+    told = isinstance(mark, Noun) and (mark.head == "block" or mark.traits != Traits())
+    return told and isinstance(mark, Noun) and mark.head != "patch" and mark.amount == Amount(4, 4)
 
 
 def _two(mark: Meaning) -> bool:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from rpg.ir.order import Attribute
 from rpg.language.lexicon import COLORS, RAINBOW
-from rpg.language.meaning import Coord, Noun, OrderBy, Structure, Traits, replace
+from rpg.language.meaning import At, Coord, Noun, OrderBy, Structure, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.orders.parts import place_of
 from rpg.passes.schema.resolve.things.things import fits
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Thing, refuse
 
@@ -17,15 +18,17 @@ _SORTS: dict[frozenset[str | None], Attribute] = {
 """Sorts of symbols that may take turns, and what tells them apart."""
 
 
-def as_listed(shape: Structure, spec: Spec, theme: Ref | None) -> Structure:
+def as_listed(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> Structure:
     """ "A red, blue, red, blue tower": looks of which one comes again are told block by block.
 
     "An alternating tower, red and white, four high": which two take turns. "Three red and three white blocks take
     turns": these are its blocks.
     """
     colors = shape.traits.colors
-    lined = shape.kind in ("stack", "row", "line", "column") and not shape.plural and shape.members is None
-    if not lined or theme is not None:
+    lined = shape.kind in ("stack", "row", "line", "column") and not shape.plural
+    if lined and theme is None:
+        _with_another(shape, spec, scene)
+    if not lined or theme is not None or shape.members is not None:
         return shape
     turns = [o for o in spec.orders if o.by == "alternating"]
     pair = [o for o in spec.orders if o.by == "named" and len(o.items) == 2 and not o.first]
@@ -42,6 +45,24 @@ def as_listed(shape: Structure, spec: Spec, theme: Ref | None) -> Structure:
     items = tuple(Noun(head="any", traits=Traits(colors=(color,)), span=shape.span) for color in colors)
     spec.orders = [OrderBy(by="named", items=items, attribute="color", span=shape.span), *spec.orders]
     return replace(shape, traits=replace(shape.traits, colors=()))
+
+
+def _with_another(shape: Structure, spec: Spec, scene: Scene) -> None:
+    """ "A tower of four in alternating colours with black at the bottom": black and another colour take turns."""
+    open_ = shape.members is None or (isinstance(shape.members, Noun) and shape.members.traits == Traits())
+    turns = [n for n, o in enumerate(spec.orders) if o.by == "alternating" and not o.items]
+    ends = [x.theme for x in spec.absolutes if isinstance(at := place_of(x), At) and at.side in _ENDS]
+    colors = [*dict.fromkeys(x.traits.colors[0] for x in ends if isinstance(x, Noun) and len(x.traits.colors) == 1)]
+    if not open_ or shape.traits.colors or len(turns) != 1 or not 0 < len(colors) <= _PAIR:
+        return
+    if len(colors) < _PAIR:
+        colors.append("blue" if colors == ["red"] else "red")
+        scene.assume(f"the other of the two colours is not said: {colors[1]}")
+    items = tuple(Noun(head="any", traits=Traits(colors=(look,)), span=shape.span) for look in colors)
+    spec.orders[turns[0]] = replace(spec.orders[turns[0]], items=items)
+
+
+_ENDS = frozenset({"top", "bottom", "left", "right", "front", "back", "first", "last"})
 
 
 def alternating(order: OrderBy, things: list[Thing], scene: Scene) -> Attribute:

@@ -10,6 +10,7 @@ from rpg.language.meaning import (
     Clause,
     In,
     Into,
+    Loc,
     Meaning,
     Noun,
     Pronoun,
@@ -43,7 +44,8 @@ def _with_cap(base: Clause, cap: Clause) -> Clause | None:
     """Both clauses in one, where the second puts one block on the middle of the square of the first."""
     sides = {getattr(x, "side", getattr(x, "region", "")) for x in cap.adjuncts}
     placed = all(isinstance(x, At | In) for x in cap.adjuncts) and len(cap.adjuncts) == 2
-    if cap.verb not in ("place", "be", "stack") or cap.negated or not placed or sides != {"top", "middle"}:
+    over = len(cap.adjuncts) == 1 and _across(cap.adjuncts[0])
+    if cap.verb not in ("place", "be", "stack") or cap.negated or not (over or (placed and sides == {"top", "middle"})):
         return None
     base = _built_of(base)
     return _pyramid(base, cap.theme) if not base.negated and base.verb in _BUILT else None
@@ -64,12 +66,18 @@ def _in_one(said: Clause) -> Clause:
     shape = said.theme
     parts = [x for x in shape.details if isinstance(x, Absolute)] if isinstance(shape, Structure) else []
     middle = [x for x in said.adjuncts if isinstance(x, At) and x.side == "middle"]
-    if not isinstance(shape, Structure) or len(parts) != 1 or len(middle) != 1 or not _on_top(parts[0]):
+    over = len(parts) == 1 and not middle and len(parts[0].adjuncts) == 1 and _across(parts[0].adjuncts[0])
+    if not isinstance(shape, Structure) or len(parts) != 1 or not (over or (len(middle) == 1 and _on_top(parts[0]))):
         return said
-    rest = tuple(x for x in said.adjuncts if x is not middle[0])
+    rest = tuple(x for x in said.adjuncts if x not in middle)
     details = tuple(x for x in shape.details if x is not parts[0])
     whole = _pyramid(replace(said, theme=replace(shape, details=details), adjuncts=rest), parts[0].theme)
     return whole or said
+
+
+def _across(place: Meaning) -> bool:
+    """ "(Put a blue one) on all four of them", "centred on top of them"."""
+    return isinstance(place, Loc) and "across" in place.mods and isinstance(place.landmark, Pronoun)
 
 
 def _on_top(part: Absolute) -> bool:

@@ -104,7 +104,7 @@ def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
         spec.absolutes, spec.manners = [*inner.absolutes, *spec.absolutes], [*inner.manners, *spec.manners]
         shape = replace(shape, details=())
     one_on_another(shape, spec)
-    shape = _paged(as_listed(shape, spec, theme), spec, theme)
+    shape = _paged(as_listed(shape, spec, theme, scene), spec, theme)
     _known_sizes(shape)
     if shape.filled is False and shape.kind in _MASSIVE:
         raise refuse("unsupported-structure", f"a {shape.kind} has no hole here", shape.span, "say 'an outline square'")

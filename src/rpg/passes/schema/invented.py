@@ -14,6 +14,7 @@ from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
 from rpg.language.tokens import Token
 from rpg.passes.schema.fewer_there import check_fewer_there
+from rpg.passes.schema.listed_as_counted import check_listed_as_counted
 from rpg.passes.schema.resolve.things.world import refuse
 from rpg.passes.schema.stock_told import check_stock
 
@@ -42,6 +43,7 @@ def check_invented(words: Sequence[Token], task: TaskSchema) -> None:
     if task.assumed(SYMBOLS_UNSAID):
         _ascending(words, task)
     check_stock(words, task)
+    check_listed_as_counted(words, task)
     _listed_in_turn(words, task)
     if task.assumed(_NUMBER_UNSAID):
         _lines_of_the_counted(words)

@@ -53,7 +53,8 @@ def _with_another(shape: Structure, spec: Spec, scene: Scene) -> None:
     turns = [n for n, o in enumerate(spec.orders) if o.by == "alternating" and not o.items]
     ends = [x.theme for x in spec.absolutes if isinstance(at := place_of(x), At) and at.side in _ENDS]
     colors = [*dict.fromkeys(x.traits.colors[0] for x in ends if isinstance(x, Noun) and len(x.traits.colors) == 1)]
-    if not open_ or shape.traits.colors or len(turns) != 1 or not 0 < len(colors) <= _PAIR:
+    listed = any(o.items for o in spec.orders)
+    if listed or not open_ or shape.traits.colors or len(turns) != 1 or not 0 < len(colors) <= _PAIR:
         return
     if len(colors) < _PAIR:
         colors.append("blue" if colors == ["red"] else "red")

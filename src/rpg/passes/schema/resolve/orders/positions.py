@@ -169,10 +169,14 @@ FAR_ENDS = ("top", "right", "back")
 
 
 def _following(item: Absolute, last: int, way: int, scene: Scene) -> Groups:
-    """ "then green": the places after the last one, or before it where the far end was told first."""
+    """ "then green", "the next two white": the places after the last one, or before it where the far end was told
+    first."""
+    place = item.adjuncts[0]
     known = item.theme.word[1:].split() if isinstance(item.theme, Pronoun) and item.theme.word[:1] == "=" else []
-    count = amount_of(item.theme) or max(1, len(getattr(item.theme, "items", known)))
-    alike = len({looks(scene.things[n]) for n in known}) == 1 and getattr(item.adjuncts[0], "whole", None)
+    several = place.several if isinstance(place, Places) else None
+    count = several or amount_of(item.theme) or max(1, len(getattr(item.theme, "items", known)))
+    alike = len({looks(scene.things[n]) for n in known}) == 1 and getattr(place, "whole", None)
+    alike = alike or (several and isinstance(item.theme, Noun) and len(item.theme.traits.colors) == 1)
     if way < 0 and count > 1 and not alike:
         raise refuse("ambiguous", "it is not clear in which order these follow", item.span, "name them one by one")
     return [[last + way + way * k] for k in range(count)]

@@ -41,6 +41,7 @@ from rpg.language.grammar.rows.not_at_end import NOT_THERE, NOT_THERE_AT_ONCE, n
 from rpg.language.grammar.rows.not_consecutive import not_consecutive
 from rpg.language.grammar.rows.of_each_color import of_each_color
 from rpg.language.grammar.rows.ordered import ORDERED, ORDERED_AT_ONCE
+from rpg.language.grammar.rows.others_elsewhere import others_elsewhere
 from rpg.language.grammar.rows.other_end import other_end_named, row_with_ends
 from rpg.language.grammar.rows.own_color import OWN_COLOR, OWN_COLOR_AT_ONCE
 from rpg.language.grammar.rows.palindromes import palindromes
@@ -230,7 +231,7 @@ _CHANGES = (
     listed_lines, column_words, labels_counted, announced_rainbow,
     swapped_over, result_told, palindromes, around_named, some_of_the_letters, row_with_ends,
     other_end_named, rows_by_number, told_by_places, _steps_told, _one_of_each, of_each_color, corners_again,
-    not_at_end, of_the_figure, word_again, range_but, not_consecutive, so_many_inside, so_many_on_each,
+    not_at_end, of_the_figure, word_again, range_but, not_consecutive, so_many_inside, so_many_on_each, others_elsewhere,
 )  # fmt: skip
 """What is told otherwise before the rows are looked for, in this order."""
 

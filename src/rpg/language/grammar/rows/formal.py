@@ -43,8 +43,8 @@ from rpg.language.grammar.rows.not_at_end import NOT_THERE, NOT_THERE_AT_ONCE, n
 from rpg.language.grammar.rows.not_consecutive import not_consecutive
 from rpg.language.grammar.rows.of_each_color import of_each_color
 from rpg.language.grammar.rows.ordered import ORDERED, ORDERED_AT_ONCE
-from rpg.language.grammar.rows.others_elsewhere import others_elsewhere
 from rpg.language.grammar.rows.other_end import other_end_named, row_with_ends
+from rpg.language.grammar.rows.others_elsewhere import others_elsewhere
 from rpg.language.grammar.rows.own_color import OWN_COLOR, OWN_COLOR_AT_ONCE
 from rpg.language.grammar.rows.palindromes import palindromes
 from rpg.language.grammar.rows.patches_told import PATCHES_AT_ONCE, PATCHES_UNREAD

@@ -11,6 +11,7 @@ from rpg.language.grammar.rows.all_sides import all_sides
 from rpg.language.grammar.rows.alternatives import ALTERNATIVES, ALTERNATIVES_AT_ONCE
 from rpg.language.grammar.rows.around_it import AROUND_AT_ONCE, around_named
 from rpg.language.grammar.rows.asked_aloud import ASKED_ALOUD, ASKED_ALOUD_AT_ONCE
+from rpg.language.grammar.rows.barred_there import BARRED_THERE, BARRED_THERE_AT_ONCE
 from rpg.language.grammar.rows.become import BECOME, BECOME_AT_ONCE
 from rpg.language.grammar.rows.before_and_after import BEFORE_AND_AFTER, WITH_ITS_TOP
 from rpg.language.grammar.rows.begun import BEGUN, BEGUN_AT_ONCE
@@ -22,6 +23,7 @@ from rpg.language.grammar.rows.column_words import column_words
 from rpg.language.grammar.rows.contrasted import CONTRASTED
 from rpg.language.grammar.rows.contrasts import CONTRASTS, CONTRASTS_ACROSS
 from rpg.language.grammar.rows.corners import corners_again
+from rpg.language.grammar.rows.corners_told import CORNERS_ACROSS, CORNERS_TOLD
 from rpg.language.grammar.rows.counts import COUNTED, SHARED_OUT
 from rpg.language.grammar.rows.distances import DISTANCES, DISTANCES_AT_ONCE, SPACED_AT_ONCE
 from rpg.language.grammar.rows.each_side import EACH_SIDE
@@ -51,6 +53,7 @@ from rpg.language.grammar.rows.one_row_and_one import one_row_and_one
 from rpg.language.grammar.rows.order_matters import ORDER_MATTERS_AT_ONCE
 from rpg.language.grammar.rows.ordered import ORDERED, ORDERED_AT_ONCE
 from rpg.language.grammar.rows.other_end import other_end_named, row_with_ends
+from rpg.language.grammar.rows.others_elsewhere import others_elsewhere
 from rpg.language.grammar.rows.own_color import OWN_COLOR, OWN_COLOR_AT_ONCE
 from rpg.language.grammar.rows.palindromes import palindromes
 from rpg.language.grammar.rows.patches_told import PATCHES_AT_ONCE, PATCHES_UNREAD
@@ -69,7 +72,7 @@ from rpg.language.grammar.rows.said_again import SAID_AGAIN
 from rpg.language.grammar.rows.said_short import SHORT, SHORT_AT_ONCE
 from rpg.language.grammar.rows.separately import ONE_TOPPED, SEPARATELY
 from rpg.language.grammar.rows.sided import SIDED_AT_ONCE, UTMOST_TOLD
-from rpg.language.grammar.rows.sizes_told import SIZES_TOLD_AT_ONCE
+from rpg.language.grammar.rows.sizes_told import SIZES_TOLD, SIZES_TOLD_AT_ONCE
 from rpg.language.grammar.rows.so_many_inside import so_many_inside
 from rpg.language.grammar.rows.so_many_on_each import so_many_on_each
 from rpg.language.grammar.rows.some_letters import some_of_the_letters
@@ -154,6 +157,7 @@ _OF_ALL = (
     *KEPT_AT_ONCE,
     *SEPARATELY,
     *LYING_THERE_AT_ONCE,
+    *BARRED_THERE_AT_ONCE,
     *OWN_COLOR_AT_ONCE,
     *EACH_THERE,
     *ALTERNATIVES_AT_ONCE,
@@ -204,12 +208,18 @@ _OF_THE_UNREAD = (
     *SPAWNED,
     *RAINBOW_SPANS,
     *TASK_TOLD,
+    *SIZES_TOLD,
+    *CORNERS_TOLD,
+    *BARRED_THERE,
 )
 """The rows of a sentence that cannot be read as it stands."""
 AT_ONCE, UNREAD, OVER_ALL = (
     Turns(_OF_ALL),
     Turns(_OF_THE_UNREAD),
-    Turns((*FALLEN, *ONE_TOPPED, *TOLD_OF_BOTH, *CONTRASTS_ACROSS, *BEFORE_AND_AFTER, *WAY_BEHIND, *ACROSS)),
+    Turns(
+        (*FALLEN, *ONE_TOPPED, *TOLD_OF_BOTH, *CONTRASTS_ACROSS, *BEFORE_AND_AFTER, *WAY_BEHIND, *CORNERS_ACROSS,
+         *ACROSS),
+    ),
 )
 
 
@@ -259,6 +269,7 @@ _CHANGES = (
     swapped_over, result_told, palindromes, one_more, all_sides, around_named, some_of_the_letters, row_with_ends,
     other_end_named, rows_by_number, told_by_places, _steps_told, _one_of_each, of_each_color, corners_again,
     not_at_end, of_the_figure, word_again, range_but, not_consecutive, so_many_inside, so_many_on_each,
+    others_elsewhere,
 )  # fmt: skip
 """What is told otherwise before the rows are looked for, in this order."""
 

@@ -170,3 +170,13 @@ def test_a_list_is_not_cut_before_its_last() -> None:
         1
     ]
     assert "in the order yellow, red, blue, green" in end
+
+
+def test_what_a_patch_is_not_cleared_of_stays() -> None:
+    begun, end = start_and_end(
+        "There are a green, a red and a blue block on the mat. Clear the mat except for the green block."
+    )
+    assert "green, red and blue blocks are on the gray patch" in begun
+    assert "green block must be on the gray patch" in end
+    assert "empty" not in end
+    assert code_of("Clear the mat except for the green block.") == "ambiguous"

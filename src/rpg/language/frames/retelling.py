@@ -55,7 +55,8 @@ def retold(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
         return
     given = [(start, behind) for start, _, behind in with_given(tokens, plainly)]
     yield from ((_standing(told, tokens), told) for told in changes(tokens, plainly, given))
-    yield from _as_a_whole(tokens)
+    if not given:  # else what is there already would be told as what is to be built
+        yield from _as_a_whole(tokens)
     yield from ((_standing(told, tokens), told) for told in pairs(tokens, plainly))
     yield from _with_given(tokens)
     asides = (without_distractors, without_turns, without_measures, without_attached)

@@ -53,6 +53,7 @@ from rpg.passes.schema.resolve.goals.tidy import once, tidy
 from rpg.passes.schema.resolve.goals.untouched import left_as_they_are, the_other_way
 from rpg.passes.schema.resolve.orders.between_ends import told_as_ranges
 from rpg.passes.schema.resolve.orders.parts_behind import parts_behind
+from rpg.passes.schema.resolve.orders.then_longer import then_longer
 from rpg.passes.schema.resolve.orders.told_places import places_told
 from rpg.passes.schema.resolve.places.sided_patches import settle_sides
 from rpg.passes.schema.resolve.structures.heaps import from_heaps, heaps_begun, heaps_last, placed, told_later
@@ -166,7 +167,7 @@ def resolve(
     check_lines_again(chains)
     check_set_below(chains)
     check_it(chains := of_the_one(chains))
-    chains = from_heaps(readied(marks_joined(chains), text), text)
+    chains = then_longer(from_heaps(readied(marks_joined(chains), text), text), text)
     links, chains = lots_related(*in_told_order(*left_out_behind(*parts_behind(links, chains, text)), text))
     links, chains = hoisted(*places_told(*words_in_rows(links, chains)))
     told = begun_of_stock(begun(chains, text), text)

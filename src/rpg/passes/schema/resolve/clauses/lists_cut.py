@@ -42,7 +42,8 @@ def check_lists(chains: tuple[Chain, ...], text: str) -> None:
         for head, rest in _cuts(chain):
             between = text[head.span[1] : rest.span[0]].strip(" ,")
             finite = text[rest.span[1] :].lower().split()[:1] in _FINITE
-            cut = (_open(head, text) and not finite) or _goes_on(head, rest, text)
+            open_ = _open(head, text) or _in_a_list(head, rest, text)
+            cut = (open_ and not finite) or _goes_on(head, rest, text)
             if between in ("and", "&") and cut and not _ordered(rest, text):
                 raise refuse("ambiguous", "it is not clear whether this is said of all that is listed, or of the last",
                              rest.span, "say it in a sentence of its own")  # fmt: skip
@@ -175,6 +176,12 @@ def _open(head: Noun, text: str) -> bool:
     """ "A, B": a list whose last item has not come yet."""
     named = len(head.traits.labels) > 1 or len(head.traits.colors) > 1
     return named and "," in text[slice(*head.span)] and " and " not in text[slice(*head.span)]
+
+
+def _in_a_list(head: Noun, rest: Noun, text: str) -> bool:
+    """ "(a row of red,) blue" and "green": the same by single words."""
+    bare = all((x.det, x.amount, x.plural, bool(x.conditions)) == ("bare", None, False, False) for x in (head, rest))
+    return bare and text[: head.span[0]].rstrip().endswith(",")
 
 
 def _goes_on(head: Noun, rest: Noun, text: str) -> bool:

@@ -7,6 +7,7 @@ from itertools import pairwise
 
 from rpg.language.grammar.clauses.put_back import WHERE_IT_WAS
 from rpg.language.meaning import Chain, Clause, In, Loc, Meaning, Noun, Pronoun, TableTop, replace
+from rpg.passes.schema.resolve.clauses.joined_facts import moves
 from rpg.passes.schema.resolve.things.world import refuse
 
 _MOVED = ("place", "stack", "pick", "use")
@@ -16,11 +17,12 @@ _BACK = re.compile(r"\b(?:back|returns?|returned)\b", re.IGNORECASE)
 def put_back(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
     """The sentences, with the place that something is put back to; facts of where it was are of the start."""
     chains = tuple(off_again(chain, text) for chain in chains)
+    chains, was = _no_longer(chains, text)
     if _BACK.search(text) is None:
         return chains
     found = [list(chain.clauses) for chain in chains]
-    was: dict[tuple[object, ...], tuple[Meaning, tuple[int, int] | None]] = {}
-    moves: dict[tuple[object, ...], int] = {}
+    moved: dict[tuple[object, ...], int] = {}
+    left = {*was}
     last: tuple[object, ...] = ()
     for n, clauses in enumerate(found):
         for k, clause in enumerate(clauses):
@@ -30,10 +32,10 @@ def put_back(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
             last = one or last
             place, fact = was.get(one, (None, None))
             if _back(clause):
-                if place is None or moves.get(one, 0) > 1:
+                if place is None or moved.get(one, 0) > 1:
                     raise refuse("no-goal", "it is not said where it was", clause.span, "say where to put it")
                 clauses[k] = replace(clause, lemma="put", adjuncts=(replace(place, span=clause.adjuncts[0].span),))
-            if place is not None and not moves.get(one) and _told_there(clause, place, text):
+            if place is not None and not moved.get(one) and one not in left and _told_there(clause, place, text):
                 raise refuse("ambiguous", "it is said to be there at the start", clause.span,
                              "say where it is before it is put there")  # fmt: skip
             if _back(clause) or (_returns(clause, place) and _BACK.search(text[slice(*clause.span)]) is not None):
@@ -44,10 +46,56 @@ def put_back(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
                 off = _off(clause)
                 if off is not None and one not in was:
                     was[one] = (off, None)
-                moves[one] = moves.get(one, 0) + (not any(getattr(x, "rel", "") == "off" for x in clause.adjuncts))
+                moved[one] = moved.get(one, 0) + (not any(getattr(x, "rel", "") == "off" for x in clause.adjuncts))
             elif one and one not in was and (there := _place(clause)) is not None:
                 was[one] = (there, (n, k) if clause.mode == "goal" else None)
     return tuple(replace(chain, clauses=tuple(clauses)) for chain, clauses in zip(chains, found, strict=True))
+
+
+_Was = dict[tuple[object, ...], tuple[Meaning, tuple[int, int] | None]]
+"""Where blocks were, and which clause says so where that is to be told of the start."""
+
+
+def _no_longer(chains: tuple[Chain, ...], text: str) -> tuple[tuple[Chain, ...], _Was]:
+    """ "Red was on the mat and is now on blue. Put it back": where it was is before the start; the sentences without
+    that, and where it was."""
+    at = [(n, k) for n, chain in enumerate(chains) for k in range(len(chain.clauses))]
+    was: _Was = {}
+    gone: list[tuple[int, int]] = []
+    now: list[tuple[int, int]] = []
+    for (n, k), (m, j) in pairwise(at[:-1]):  # something is to be done behind it
+        told, since = chains[n].clauses[k], chains[m].clauses[j]
+        if not isinstance(told, Clause) or not isinstance(since, Clause) or told.mode != "start":
+            continue
+        past = _PAST.search(text[slice(*told.span)]) is not None
+        here = _NOW.search(text[told.span[1] : since.span[1]]) is not None and since.mode in ("goal", "start")
+        if past and here and moves(told, since) and (one := _one(told.theme)) and (place := _place(told)) is not None:
+            was[one] = (place, None)
+            gone.append((n, k))
+            now.append((m, j))
+    if not gone:
+        return chains, was
+    left: list[Chain] = []
+    for n, chain in enumerate(chains):
+        kept = [k for k in range(len(chain.clauses)) if (n, k) not in gone]
+        clauses = tuple(_there_now(chain.clauses[k], chains, (n, k), gone, now) for k in kept)
+        left += [replace(chain, clauses=clauses, links=("and", *(chain.links[k] for k in kept[1:])))] if kept else []
+    return tuple(left), was
+
+
+def _there_now(
+    clause: Meaning, chains: tuple[Chain, ...], at: tuple[int, int], gone: list[tuple[int, int]],
+    now: list[tuple[int, int]],
+) -> Meaning:  # fmt: skip
+    """What is said of where it is now, by its name instead of "it"."""
+    if at not in now or not isinstance(clause, Clause):
+        return clause
+    n, k = gone[now.index(at)]
+    return replace(clause, theme=getattr(chains[n].clauses[k], "theme", None), mode="start")
+
+
+_PAST = re.compile(r"\b(?:was|were|had been)\b", re.IGNORECASE)
+_NOW = re.compile(r"\bnow\b", re.IGNORECASE)
 
 
 def _back(clause: Meaning) -> bool:

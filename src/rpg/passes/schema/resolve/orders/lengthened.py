@@ -24,6 +24,8 @@ def lengthened(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) ->
         return replace(shape, members=None, sizes=()), None
     if (told := _told_through(shape, spec, theme)) is not None:
         return told, theme
+    if theme is None and (longer := _beyond_the_list(shape, spec)) is not None:
+        return longer, None
     few = _few(shape, spec)
     if theme is None and few and (some := _some_many(source, few)) is not None:
         longer, made = lengthened(replace(shape, members=some), spec, None, scene)
@@ -55,6 +57,38 @@ def lengthened(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) ->
     if theme.listed and _ordered(spec, theme, scene):
         return shape, _around(theme, further, spec)
     return shape, replace(theme, names=theme.names + further, listed=False)
+
+
+def _beyond_the_list(shape: Structure, spec: Spec) -> Structure | None:
+    """ "a row of red, blue and green from left to right, with a yellow block at the left end": in front of the list, or
+    behind it."""
+    listed, first = shape.members, spec.first(*_OTHER_END)
+    if first is None or shape.sizes or not isinstance(listed, Coord) or listed.op != "and":
+        return None
+    looks = [_look(x) for x in listed.items]
+    ends: dict[str, list[Meaning]] = {first: [], _OTHER_END[first]: []}
+    for item in spec.absolutes:
+        place = place_of(item)
+        new = (
+            isinstance(item.theme, Noun) and item.theme.det in ("a", "bare") and _look(item.theme) not in (None, *looks)
+        )
+        if not new or not isinstance(place, At) or place.index is not None or ends.get(place.side, True):
+            return None
+        ends[place.side].append(item.theme)
+    if not spec.absolutes or None in looks:
+        return None
+    spec.absolutes = []
+    return replace(shape, members=replace(listed, items=(*ends[first], *listed.items, *ends[_OTHER_END[first]])))
+
+
+def _look(item: Meaning) -> str | None:
+    """The one colour or symbol of a single block."""
+    single = isinstance(item, Noun) and not item.plural and amount_of(item) in (None, 1)
+    looks = (*item.traits.labels, *item.traits.colors) if isinstance(item, Noun) else ()
+    return looks[0] if single and len(looks) == 1 else None
+
+
+_OTHER_END = {"left": "right", "right": "left", "front": "back", "back": "front"}
 
 
 def _few(shape: Structure, spec: Spec) -> int | None:

@@ -126,11 +126,13 @@ def put_there(upper: str, below: str, scene: Scene) -> bool:
 
 
 def begins_on(theme: Ref, mark: Ref, scene: Scene, span: Span) -> None:
-    """ "get the red block off the blue one", or off the tower of two white ones: it starts there."""
+    """ "get the red block off the blue one", or off the tower of two white ones: it starts there; and so does what is
+    excepted from all that is taken off a patch."""
     if len(theme.names) == 1 and len(mark.built) == 1 and mark.built[0].kind == "stack":
         new = theme.names[0] not in mark.names and not any(put_there(theme.names[0], b, scene) for b in mark.names)
         scene.start_goals += [r.On(a=theme.names, b=crown(mark), span=span)] if new else []
-    for a, b in ((a, b) for a in theme.names for b in mark.names):
+    left = theme.parts[-1].names if theme.op == "except" and mark.patch else ()
+    for a, b in ((a, b) for a in (*theme.names, *left) for b in mark.names):
         there: g.Goal = r.OnPatch(a=(a,), patch=b, span=span) if mark.patch else r.On(a=(a,), b=(b,), span=span)
         if len(mark.names) == 1 and there not in scene.start_goals and not put_there(a, b, scene):
             scene.start_goals.append(there)

@@ -27,8 +27,8 @@ def by_symbols(ranks: Ranks, names: tuple[str, ...], scene: Scene) -> Ranks:
 
 
 def of_a_range(ranks: Ranks, names: tuple[str, ...], scene: Scene) -> Ranks:
-    """ "Letters A to E, A at the far end": those of a range follow one another, where its first or last is at an end and
-    no other one has a place where it would not be by this; unless any order is asked for."""
+    """ "Letters A to E, A at the far end": those of a range follow one another where its first or last is at an end and
+    no other has a place where it would not be by this; unless any order is asked for."""
     symbols = tuple(scene.things[n].label or "" for n in names)
     if symbols not in scene.ranges or frozenset(names) in scene.in_any_order:
         return ranks

@@ -135,7 +135,8 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
         if said is not None and said > 1 and not (passing or worked_out(words, index, shown)):
             numbers = numbers or Numbers(numbers_of(task))
             told = numbers.among(said) or (_measured(words, index + 1) and Numbers(edges_of(task)).among(said))
-            if not told and not (_below(words, index) and numbers.among(said - 1)):
+            told = told or (_below(words, index) and numbers.among(said - 1))
+            if not told and not any(numbers.among(said + few) for few in _beside_others(words, index)):
                 yield token
 
 
@@ -148,6 +149,13 @@ def _barred(task: TaskSchema) -> set[str]:
 def _below(words: Sequence[Token], index: int) -> bool:
     """ "Fewer than three": two at most."""
     return [t.word for t in words[max(index - 2, 0) : index]] in (["fewer", "than"], ["less", "than"])
+
+
+def _beside_others(words: Sequence[Token], index: int) -> set[float]:
+    """How many there are beside "the other three": with these they are all."""
+    if not index or words[index - 1].word != "other":
+        return set()
+    return {1.0, *(number for token in words[:index] if (number := _number(token)) is not None)}
 
 
 def _nowhere(words: Sequence[Token], index: int, terms: Collection[str]) -> bool:

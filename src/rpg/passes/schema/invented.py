@@ -119,6 +119,7 @@ def _one_of_its_look(words: Sequence[Token], task: TaskSchema) -> None:
     counted = any(lexicon.NUMBER.get(word, 0) > 1 or (word.isdigit() and word != "1") for word in told)
     on_both = any({first, last} == {"left", "right"} and joint == "and" for first, joint, last in _joined(told))
     further = any(joint in ("and", ",") and one == "one" for joint, one in pairwise(told))  # "... and one on the mat"
+    further |= any(other == "other" and look not in lexicon.COLOR for other, look in pairwise([*told, ""]))
     if counted or on_both or further or not _SEVERAL.isdisjoint(told):
         return
     said = [lexicon.COLOR.get(token.word) or lexicon.COLOR_PLURAL.get(token.word) for token in words]

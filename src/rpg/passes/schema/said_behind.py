@@ -349,15 +349,23 @@ def _too(sentence: Sequence[Token], task: TaskSchema) -> None:
     end = len(words) - (2 if words[-2:] == ["as", "well"] else 1)
     if (words[-1:] != ["too"] and end != len(words) - 2) or "and" not in words:
         return
-    behind = said[len(words) - 1 - words[::-1].index("and") + 1 : end]
-    looks = {
-        lexicon.COLOR.get(t.word) or t.raw for t in behind if t.word not in _ARTICLES and t.word not in lexicon.BLOCK
-    }
+    joint = len(words) - 1 - words[::-1].index("and")
+    comma = max((n + 1 for n in range(joint) if words[n] == ","), default=joint)
+    if len(_look_words(said[comma:joint])) == 1:
+        return  # "A and B touch, C and D too": as these do
+    behind = said[joint + 1 : end]
+    looks = _look_words(behind)
     those = {block.name for block in task.blocks if len(looks) == 1 and looks & _looks(block)}
     told = [x for x in atoms(task.goal) if those & {*names(x)}]
     if those and told and all(hasattr(x, "b") and those & {*members(x.b)} for x in told):
         raise refuse("ambiguous", "is this one there, too, or what the others are next to?", behind[0].span,
                      "say it in a sentence of its own")  # fmt: skip
+
+
+def _look_words(tokens: Sequence[Token]) -> set[str]:
+    """What these words say but for articles and nouns: the colours and symbols, where they name blocks alone."""
+    told = (t for t in tokens if t.word not in _ARTICLES and t.word not in lexicon.BLOCK)
+    return {lexicon.COLOR.get(t.word) or t.raw for t in told}
 
 
 def _reversed(sentence: Sequence[Token], task: TaskSchema) -> None:

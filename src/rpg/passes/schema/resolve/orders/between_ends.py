@@ -18,14 +18,29 @@ _WORDS = re.compile(r"[a-z]+|\d+")
 
 def by_symbols(ranks: Ranks, names: tuple[str, ...], scene: Scene) -> Ranks:
     """ "Stack A, B, C and D with A at the bottom and D on top": symbols that are listed in their order, from one of the
-    ends that are told to the other, stand in it; those of a range, "letters A to E, A at the far end", also where one
-    end of it is told."""
-    listed = _listed(ranks, names) or _range_from(ranks, names, scene)
+    ends that are told to the other, stand in it; and those of a range."""
+    listed = _listed(ranks, names)
     symbols = [scene.things[n].label or "" for n in listed]
     if all(symbols) and symbols and sorted(set(symbols)) in (symbols, symbols[::-1]):
-        scene.assume("the order between the ends is the one in which the blocks are listed")
-        return tuple((n,) for n in listed)
-    return ranks
+        return _in_turn(listed, scene)
+    return of_a_range(ranks, names, scene)
+
+
+def of_a_range(ranks: Ranks, names: tuple[str, ...], scene: Scene) -> Ranks:
+    """ "Letters A to E, A at the far end": those of a range follow one another where its first or last is at an end and
+    no other has a place where it would not be by this; unless any order is asked for."""
+    symbols = tuple(scene.things[n].label or "" for n in names)
+    if symbols not in scene.ranges or frozenset(names) in scene.in_any_order:
+        return ranks
+    free = scene.free_runs.get(ranks, tuple(k for k, rank in enumerate(ranks) if len(rank) > 1))
+    ends = {ranks[k][0] for k in (0, len(ranks) - 1) if k not in free and len(ranks[k]) == 1}
+    ways = (names, names[::-1]) if not ends.isdisjoint((names[0], names[-1])) else ()
+    return next((_in_turn(way, scene) for way in ways if _fits(way, ranks, free)), ranks)
+
+
+def _in_turn(listed: tuple[str, ...], scene: Scene) -> Ranks:
+    scene.assume("the order between the ends is the one in which the blocks are listed")
+    return tuple((n,) for n in listed)
 
 
 def between_ends(ranks: Ranks, names: tuple[str, ...], scene: Scene) -> Ranks:
@@ -43,18 +58,6 @@ def _listed(ranks: Ranks, names: tuple[str, ...]) -> tuple[str, ...]:
     listed = names if ranks[0] == names[:1] else names[::-1]
     ends = len(ranks) == 3 and len(names) >= FEWEST and (*ranks[0], *ranks[2]) == (listed[0], listed[-1])
     return listed if ends else ()
-
-
-def _range_from(ranks: Ranks, names: tuple[str, ...], scene: Scene) -> tuple[str, ...]:
-    """The blocks of a range as they follow one another, where the first or the last of it is at an end and no other
-    one has a place where it would not be by this; none where any order is asked for."""
-    symbols = tuple(scene.things[n].label or "" for n in names)
-    if symbols not in scene.ranges or frozenset(names) in scene.in_any_order:
-        return ()
-    free = scene.free_runs.get(ranks, tuple(k for k, rank in enumerate(ranks) if len(rank) > 1))
-    ends = {ranks[k][0] for k in (0, len(ranks) - 1) if k not in free and len(ranks[k]) == 1}
-    ways = (names, names[::-1]) if not ends.isdisjoint((names[0], names[-1])) else ()
-    return next((way for way in ways if _fits(way, ranks, free)), ())
 
 
 def _fits(listed: tuple[str, ...], ranks: Ranks, free: Collection[int]) -> bool:

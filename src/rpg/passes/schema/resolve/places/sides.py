@@ -14,7 +14,7 @@ from rpg.ir.walk import atoms, transform
 from rpg.language.meaning import At, Meaning, replace
 from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.orders.agreeing import OPPOSITE
-from rpg.passes.schema.resolve.orders.between_ends import by_symbols
+from rpg.passes.schema.resolve.orders.between_ends import by_symbols, of_a_range
 from rpg.passes.schema.resolve.orders.in_grids import has_centre, in_grid
 from rpg.passes.schema.resolve.orders.loose import once_of_each_look
 from rpg.passes.schema.resolve.orders.positions import SIDES, SYMMETRIC, alternatives, looks, places_of, ranks_from
@@ -303,7 +303,9 @@ def _refine(goal: g.Goal, node: s.Stack | s.Row, loose: list[Loose], scene: Scen
     bunches = [ref.names for ref, _, _ in ats if len(ref.names) > 1]
     told = ranks_from({index: (name,) for index, name in places.items()}, node.blocks, scene, bunches)
     paired = all(isinstance(at_, At) and at_.side in SYMMETRIC for _, at_, _ in loose)
-    ranks = tuple(told) if paired or denied else by_symbols(tuple(told), node.blocks, scene)
+    backwards = isinstance(node, s.Row) and ats[0][0].names != node.blocks[:1]  # "A, B and C, beginning with C"
+    in_turn = of_a_range if backwards else by_symbols
+    ranks = tuple(told) if paired or denied else in_turn(tuple(told), node.blocks, scene)
     first = "bottom" if kind == "stack" else "left"
     order = Order(by="given", ranks=ranks, first=first)  # type: ignore[arg-type]
     if isinstance(node, s.Row):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rpg.language.meaning import Noun, Pronoun, Traits
-from rpg.passes.schema.resolve.things.things import matching
+from rpg.passes.schema.resolve.things.things import create, matching
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Thing, refuse
 
 _TWO = 2
@@ -34,6 +34,23 @@ def the_like_of_it(noun: Noun, left: list[Thing], scene: Scene, patch: bool) -> 
     like = matching(Traits(colors=(it.color,) if it.color else ()), scene, patch)
     rest = [thing for thing in like if thing.name != it.name]
     return rest if len(rest) == 1 and rest[0] in left else []
+
+
+def more_like_it(noun: Noun, count: int | None, scene: Scene, patch: bool) -> list[Thing]:
+    """ "One red block is on the left, the other (two) on the right": so many more like those told before, where
+    nobody said what blocks there are."""
+    told = [m for m in scene.mentions if m.role == "theme" and m.ref.names and not m.ref.patch]
+    open_ = noun.det != "other" or noun.traits != Traits() or (noun.plural and count is None)
+    if patch or open_ or not told or scene.sentence:
+        return []
+    lot = [scene.things[name] for name in told[-1].ref.names]
+    looks = {(t.color, t.label, t.kind, t.size, t.edge) for t in lot}
+    others = {n for m in scene.mentions if m.ref.det != "the" for n in m.ref.names if not m.ref.patch}
+    known = any(t.declared for t in scene.blocks()) or told[-1].ref.det == "the" or others - {t.name for t in lot}
+    if known or looks != {(lot[0].color, None, None, None, None)} or told[-1].clause != scene.clause - 1:
+        return []
+    scene.new_batch()
+    return [create(Traits(colors=(lot[0].color,) if lot[0].color else ()), scene, patch) for _ in range(count or 1)]
 
 
 def check_no_extra_since(word: Pronoun, found: Ref, scene: Scene) -> None:

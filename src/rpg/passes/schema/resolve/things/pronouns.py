@@ -7,7 +7,12 @@ from typing import TYPE_CHECKING
 from rpg.language.later import later
 from rpg.language.meaning import OWNER, TOLD_HERE, Amount, Noun, Pronoun, Traits, replace
 from rpg.passes.schema.resolve.structures.towers_apart import one_of_them
-from rpg.passes.schema.resolve.things.left_of_them import check_no_extra_since, of_the_last, the_like_of_it
+from rpg.passes.schema.resolve.things.left_of_them import (
+    check_no_extra_since,
+    more_like_it,
+    of_the_last,
+    the_like_of_it,
+)
 from rpg.passes.schema.resolve.things.off_it import check_off_it, check_owner
 from rpg.passes.schema.resolve.things.others_open import made_up, not_acted_on, of_the_start
 from rpg.passes.schema.resolve.things.parallel import ACROSS, parallel
@@ -324,6 +329,7 @@ def others(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
     left = left or of_the_last(noun, scene, patch) or of_the_start(noun, scene, patch)
     left = the_like_of_it(noun, left, scene, patch) or left
     count = noun.amount.low if noun.amount else None
+    left = left or more_like_it(noun, count, scene, patch)
     if (open_ := made_up(noun.span, left, scene, patch)) is not None:
         return open_
     _of_all(noun, left, scene, patch)

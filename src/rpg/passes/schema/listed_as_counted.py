@@ -23,9 +23,7 @@ def check_listed_as_counted(words: Sequence[Token], task: TaskSchema) -> None:
         symbols = [token.raw.upper() for token in listed if token.word not in _JOINTS]
         if len(symbols) != number.many:
             continue
-        there = sum(
-            symbols[0] in map(block.symbol, FACES) for block in task.blocks if isinstance(block, SemanticCube)
-        )
+        there = sum(symbols[0] in map(block.symbol, FACES) for block in task.blocks if isinstance(block, SemanticCube))
         if there > symbols.count(symbols[0]):
             raise refuse("ambiguous", f"it is not clear which the {number.word} {noun.word} are", number.span,
                          "list them in a sentence of their own: 'There are four blocks A, B, C and D.'")  # fmt: skip

@@ -217,8 +217,16 @@ AT_ONCE, UNREAD, OVER_ALL = (
     Turns(_OF_ALL),
     Turns(_OF_THE_UNREAD),
     Turns(
-        (*FALLEN, *ONE_TOPPED, *TOLD_OF_BOTH, *CONTRASTS_ACROSS, *BEFORE_AND_AFTER, *WAY_BEHIND, *CORNERS_ACROSS,
-         *ACROSS),
+        (
+            *FALLEN,
+            *ONE_TOPPED,
+            *TOLD_OF_BOTH,
+            *CONTRASTS_ACROSS,
+            *BEFORE_AND_AFTER,
+            *WAY_BEHIND,
+            *CORNERS_ACROSS,
+            *ACROSS,
+        ),
     ),
 )
 

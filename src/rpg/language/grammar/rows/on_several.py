@@ -20,25 +20,35 @@ _ALL = "(both|all four)(?: of (?:them|these|those))?"
 ON_SEVERAL_AT_ONCE: tuple[Turn, ...] = (
     (f"{_ON_TOP}(?: ,)?(?: {_IN_MID})?(?: ,)? {_RESTS} {_ALL}", "across {1} of them"),
     (f"\\b((?:an?|one|the)(?: single)? (?:{COLOR} )?{_N})(?: ,)? (?:{_RESTS}) {_ALL}$", "{1} across {2} of them"),
-    (f"\\bon(?: top of)? (?:all )?(?:the )?four ((?:{COLOR} )?{_N})(?: ,)? (?:that|which) (?:form|make|make up|are) an? "
-     f"(?:{_TWO} )?(?:square|grid)\\b", "on all four {1}"),
+    (
+        f"\\bon(?: top of)? (?:all )?(?:the )?four ((?:{COLOR} )?{_N})(?: ,)? (?:that|which) (?:form|make|make up|are) an? "
+        f"(?:{_TWO} )?(?:square|grid)\\b",
+        "on all four {1}",
+    ),
     (f"\\brests? on two (?:other )?((?:{COLOR} )?{_N})$", "is across two {1}"),
     (f"\\brests? on four (?:other )?((?:{COLOR} )?{_N})$", "is on all four {1}"),
     (f"\\b(?:resting on|supported by) two (?:other )?((?:{COLOR} )?{_N})$", "across two {1}"),
     (f"\\b(?:resting on|supported by) four (?:other )?((?:{COLOR} )?{_N})$", "on all four {1}"),
-    (f"^an? bridge(?: ,| :| of| from| made of| out of)+ (two (?:{COLOR} )?{_N})(?: ,| and| with)+ (an? (?:{COLOR} )?{_N}) "
-     "(?:lying |resting |placed )?(?:on|on top of|over|across) (?:both(?: of them)?|them|the two)$",
-     "{1} next to each other and {2} across them"),
+    (
+        f"^an? bridge(?: ,| :| of| from| made of| out of)+ (two (?:{COLOR} )?{_N})(?: ,| and| with)+ (an? (?:{COLOR} )?{_N}) "
+        "(?:lying |resting |placed )?(?:on|on top of|over|across) (?:both(?: of them)?|them|the two)$",
+        "{1} next to each other and {2} across them",
+    ),
 )
 """What is read otherwise, or not at all, as it stands."""
 ON_SEVERAL: tuple[Turn, ...] = (
     # three layers, each smaller
-    (f"^(?:an? )?(?:base|bottom layer) of {_THREE} ({COLOR}) {_N}{_AND} {_ON_TOP} {_TWO} ({COLOR}) {_N}{_AND} (?:on "
-     f"(?:that|top of (?:that|those|them))|(?:on|at) (?:the )?(?:very )?top) (?:an?|one)(?: single)? ({COLOR}) {_N}$",
-     "a pyramid with a three by three base , the bottom layer {1} , the middle layer {2} and the top {3}"),
+    (
+        f"^(?:an? )?(?:base|bottom layer) of {_THREE} ({COLOR}) {_N}{_AND} {_ON_TOP} {_TWO} ({COLOR}) {_N}{_AND} (?:on "
+        f"(?:that|top of (?:that|those|them))|(?:on|at) (?:the )?(?:very )?top) (?:an?|one)(?: single)? ({COLOR}) {_N}$",
+        "a pyramid with a three by three base , the bottom layer {1} , the middle layer {2} and the top {3}",
+    ),
     # the base
-    (f"\\b(?:an? )?(?:square )?(?:base|foundation|platform|bottom layer) (?:of|from|made of) {_TWO}(?: of)? "
-     f"((?:{COLOR} )?{_N})", "a two by two square of {1}"),
+    (
+        f"\\b(?:an? )?(?:square )?(?:base|foundation|platform|bottom layer) (?:of|from|made of) {_TWO}(?: of)? "
+        f"((?:{COLOR} )?{_N})",
+        "a two by two square of {1}",
+    ),
     (f"\\ban? {_TWO} (?:base|foundation|platform|bottom layer|layer) (?:of|from|made of) ", "a two by two square of "),
     # what lies on it
     (f"^(?!.*{_THREE})(.*\\b(?:{_TWO}|four)\\b.*?)(?: ,)? {_ON_TOP}(?: ,)? {_IN_MID}$", "{1} centered on top of them"),

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import re
 
-from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import text_of
 from rpg.language.grammar.rows.turned import Turns, turned
 from rpg.language.grammar.rows.vocabulary import BUILD, COLOR, LINE, MANY, PATCH, number

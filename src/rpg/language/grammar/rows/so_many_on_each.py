@@ -55,7 +55,11 @@ def _told(dealt: dict[str, str]) -> str | None:
     some = [(dealt["some"], dealt["there"])] if "some" in dealt else []
     lots = {color: number(many) for many, color in (*some, *_LOTS.findall(dealt["lots"]))}
     total, dealt_out = number(dealt["many"]), sum(lots.values())
-    if dealt_out > total or (dealt_out < total and not some) or number(dealt.get("marks") or str(len(lots))) != len(lots):
+    if (
+        dealt_out > total
+        or (dealt_out < total and not some)
+        or number(dealt.get("marks") or str(len(lots))) != len(lots)
+    ):
         return None
     blocks = f"the {total} {dealt['color'] or ''} blocks"
     return " . ".join(f"exactly {many} of {blocks} must be on the {color} patch" for color, many in lots.items())

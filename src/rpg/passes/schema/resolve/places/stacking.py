@@ -132,7 +132,9 @@ def across(top: str, below: tuple[str, ...], scene: Scene, span: Span) -> g.Goal
     """ "The black block rests on both white ones": two side by side, or four in a square, and one on them all."""
     scene.assume(f"a block on {'two' if len(below) == 2 else 'four'} others lies across them, as in a pyramid")
     order = Order(by="given", ranks=((top,), below))
-    return s.Pyramid(blocks=(*below, top), base=_ACROSS[len(below)], pattern=Pattern(kind="reading", order=order), span=span)
+    return s.Pyramid(
+        blocks=(*below, top), base=_ACROSS[len(below)], pattern=Pattern(kind="reading", order=order), span=span
+    )
 
 
 def _as_a_tower(mark: Ref, scene: Scene) -> Ref:

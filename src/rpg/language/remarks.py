@@ -19,7 +19,7 @@ from rpg.language.spelling import vocabulary
 from rpg.language.spoken_leads import judged, name_alone
 from rpg.language.spoken_wishes import led_by_form
 from rpg.language.talk_forms import addressed_at
-from rpg.language.telling import tells
+from rpg.language.telling import LAID_OUT, tells
 from rpg.language.tokens import Token
 from rpg.language.ways_of_working import way_of_working
 
@@ -229,7 +229,9 @@ def _compared(tokens: list[Token], said: list[str]) -> bool:
     strange = any(t.word not in vocabulary() or t.word in PEOPLE | ANIMALS | OCCASIONS | THINGS for t in tokens)
     again = {token for ahead, token in pairwise(tokens) if token.word in lexicon.STRUCTURE.keys() & {*said}
              and ahead.word in vocabulary() | OCCASIONS}  # fmt: skip
-    return strange and not any(tells(token) and token not in again for token in tokens)
+    symbols = any(word.isdigit() or word in lexicon.DIGIT or word in lexicon.LETTER for word in said)
+    laid_out = symbols and any(token.word in LAID_OUT for token in tokens)
+    return strange and not laid_out and not any(tells(token) and token not in again for token in tokens)
 
 
 _LIKING = frozenset({"would", "i", "we", "you", "they", "do", "does", "not", "to", "and", "or"})

@@ -44,6 +44,9 @@ _OF_BLOCKS = listed(
     "alignment toward towards against along onto sequence sequences arrangement arrangements"
 )
 
+LAID_OUT = listed("phone telephone keypad keypads calculator numpad keyboard dice die domino dominoes clock calendar")
+"""What has its symbols in a certain order: "like on a phone" is no talk."""
+
 
 SHAPES = listed(
     "zig zag zigzags spirals hexagon pentagon octagon heptagon polygon rhombus arc arch semicircle crescent helix "

@@ -37,7 +37,23 @@ _LETTERS = "(?:letter (?:cubes|blocks)|letters|words)"
 _THE_WORD = f"(?:the word )?(?!{COLOR}\\b){_WORD}"
 _BEFORE_IT = f"(?:in front of|before) {_IT}|(?:in|at)(?: the)? front(?: row)?"
 _BEHIND_IT = f"behind(?: {_IT})?|(?:in|at) the (?:back|rear)(?: row)?"
+_SYMBOL_LIST = "((?:\\w (?:, and |, |and ))+\\w)"
+_COLOR_LIST = f"((?:{COLOR} (?:, and |, |and ))+{COLOR})"
+_BEGUN = "^(?:(?:put|lay|make|build) )?(?:an? |one )?row(?: of (?:letters|digits|numbers|blocks|cubes))? : "
+_AGAIN = f"(?: {_IT}| the first(?: one| row)?)(?: ,)?(?: there is)? (?:an?|one|another)(?: second)? row : "
+
+
+def _row_beside_row(listed: str, near: str, far: str) -> tuple[Turn, ...]:
+    """ "Row: B, E, A, R. Below it a second row: C, A, T, S."."""
+    return tuple(
+        (f"{_BEGUN}{listed} [.;] (?:and )?(?:{where}){_AGAIN}{listed}(?= \\.|$)", said)
+        for where, said in ((near, "back row : {1} ; front row : {2}"), (far, "back row : {2} ; front row : {1}"))
+    )
+
+
 WORDS_IN_ROWS: tuple[Turn, ...] = (
+    *_row_beside_row(_SYMBOL_LIST, "in front of|below|under|underneath|beneath", "behind|above"),
+    *_row_beside_row(_COLOR_LIST, "in front of", "behind"),
     (f"^(?:(?:{_WRITE}|put|arrange|place|line up|set) )?(?:(?:the )?{_LETTERS} (?:in|into|as) )?(?:two|2) (?:rows|"
      f"lines)(?: of {_LETTERS})?(?: ,| :| \\.)+ (?={_FARTHER} {_READS} )", ""),
     (f"^{_FARTHER} {_READS} {_THE_WORD}{_JOINT} (?:{_NEARER})(?: {_READS})? {_THE_WORD}(?= \\.|$)",
@@ -45,7 +61,7 @@ WORDS_IN_ROWS: tuple[Turn, ...] = (
     (f"^(?:the )?(?:near|front|bottom|lower){_ROW} {_READS} {_THE_WORD}{_JOINT} (?:{_BEYOND})(?: {_READS})? "
      f"{_THE_WORD}(?= \\.|$)", "write {2} in the far row and {1} in the near row"),
 )  # fmt: skip
-"""Words that are told row by row, over a whole text."""
+"""Words and lists that are told row by row, over a whole text."""
 _ROWS = f"(?:two rows{_OF}(?: ,| :) )?"
 _SAME = f"(an? {_LINE} of (?:{FEW}) ({COLOR}) (?:blocks|cubes|ones))"
 _MADE = "(?:blocks|cubes)"

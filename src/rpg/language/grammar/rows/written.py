@@ -24,6 +24,7 @@ _SYMBOLS = "((?:the )?(?:cubes |blocks )?\\d (?:,|and).*?)"
 _PAGE = (
     "(?:like (?:in )?an? (?:book|page)|as in a book|like on a page|as on a page|like a text|the way you read a book)"
 )
+_PHONE = "(?:just |laid out |arranged )?(?:like|as) (?:on|in) an? (?:phone|telephone)(?: keypad| pad)?"
 _READ = "(?:(?:you|one|i|we) (?:can )?read (?:them|it)|they (?:can be |are )?read|it (?:can be |is )?read)"
 _READS = (
     ("(?: ,)? so(?: that)? (?:it|they) reads? ([a-z]{2,})(?: from left to right)?", "backwards so that it reads {2}"),
@@ -83,6 +84,7 @@ WRITTEN_AT_ONCE: tuple[Turn, ...] = (
     # grids
     (f"\\b(?:so that|so|such that) {_READ} {_PAGE}", "in reading order"),
     (f"(?: ,)? (?:that|which) (?:{_READ}|you (?:can )?read|is read|can be read|reads) {_PAGE}", " in reading order"),
+    (f"^(.*\\b(?:numbers|digits) 1 to 9 .*\\b(?:grid|square))(?: ,)? {_PHONE}$", "{1} in reading order"),
     ("(?: ,)? reading order(?: ,)? (?:(?:starting|beginning) (?:with|in) the far row|the far row first)",
      " reading order"),
     ("(?: ,)? row by row(?: ,)? (?:starting|beginning) (?:at the |in the |from the )?far left(?: corner)?",
@@ -161,5 +163,5 @@ WRITTEN: tuple[Turn, ...] = (
      "(?:number |digit )?(?:and sign )?(?:cubes|blocks)$", "write {1}"),
 )  # fmt: skip
 """What makes no sense as it stands."""
-WORDS = ("appears book emerges readable results",)
+WORDS = ("appears book emerges keypad phone readable results telephone",)
 """Words that these take besides those that are read anyway."""

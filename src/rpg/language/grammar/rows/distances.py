@@ -35,6 +35,7 @@ _A_BIT = "(?:(?:just )?(?:a (?:little|tiny|small) bit|a bit|a little|a touch|a t
 _GAPS = "(?:gaps?|distances?|spaces?|spacing|intervals?)"
 _FACES = "(?:(?:their|the|its) )?(?:facing |adjacent |neighboring )?(?:faces|sides|surfaces)"
 _BARE = f"(?:(?! is | {MUST} | be | measured ).)"
+_NAMED = f"(?:(?:the|an?) (?:\\w+ )?)?(?:{COLOR}|{BLOCK}|{LABEL})\\b"
 _MEASURED = "(?:(?:,|as|when)? ?measured )?(?:from )?(?:center to center|(?:their )?centers? to (?:their )?centers?)"
 
 DISTANCES: tuple[Turn, ...] = (
@@ -87,6 +88,10 @@ DISTANCES_AT_ONCE: tuple[Turn, ...] = (
      "{1} {4} {2} {3} {4}"),
     ("\\b(closer|nearer) (?:together|to (?:each other|one another)) than\\b", "{1} than"),
     # of centres
+    (f"\\b(?:an? (?:distance|spacing) of )?({LENGTH})(?: ,)? {_MEASURED}(?: ,)? between (?={_NAMED})",
+     "{1} between the centers of "),
+    (f"\\b(?:an? (?:distance|gap|spacing) of )?({LENGTH})(?: ,)?(?: from)? (?:edge|face|side) to (?:edge|face|side)(?: ,)? "
+     f"between (?={_NAMED})", "a gap of {1} between "),
     (f"(?: ,)? (?:with )?(?:its|the) {_CENTER} (?:off|out|displaced|shifted)(?: center)?(?: by)? ({_MOST_OFF} "
      f"{LENGTH})$", " , centered to within {1}"),
     (f"(?<! each)(?: ,)? ({_MOST_OFF} {LENGTH}) off (?:the )?(?:- )?{_CENTER}$", " , centered to within {1}"),

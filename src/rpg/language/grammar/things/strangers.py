@@ -11,7 +11,7 @@ STRANGERS = frozenset({"outlier", "outliers", "stranger", "strangers", "misfit",
 _STRANGER = Patterns(
     "|".join(sorted(STRANGERS)),
     "odd_one_out|odd_ones_out|odd_one|odd_ones",
-    "wrong|foreign|mismatched|wrongly|wrong|odd|differently|mis? colored|color? block|blocks|cube|cubes|one|ones",
+    "wrong|foreign|mismatched|wrongly|odd|differently|mis colored|color? block|blocks|cube|cubes|one|ones",
     "block|cube|blocks|cubes|one|ones of|in|with the|another|a|some wrong|other|another|different "
     "color|kind|group|colors",
     "block|blocks|cube|cubes|one|ones that|which is|are of? wrong|wrongly_colored|the_wrong_color|another_color",

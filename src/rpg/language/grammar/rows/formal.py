@@ -69,7 +69,7 @@ from rpg.language.grammar.rows.said_again import SAID_AGAIN
 from rpg.language.grammar.rows.said_short import SHORT, SHORT_AT_ONCE
 from rpg.language.grammar.rows.separately import ONE_TOPPED, SEPARATELY
 from rpg.language.grammar.rows.sided import SIDED_AT_ONCE, UTMOST_TOLD
-from rpg.language.grammar.rows.sizes_told import SIZES_TOLD_AT_ONCE
+from rpg.language.grammar.rows.sizes_told import SIZES_TOLD, SIZES_TOLD_AT_ONCE
 from rpg.language.grammar.rows.so_many_inside import so_many_inside
 from rpg.language.grammar.rows.so_many_on_each import so_many_on_each
 from rpg.language.grammar.rows.some_letters import some_of_the_letters
@@ -204,6 +204,7 @@ _OF_THE_UNREAD = (
     *SPAWNED,
     *RAINBOW_SPANS,
     *TASK_TOLD,
+    *SIZES_TOLD,
 )
 """The rows of a sentence that cannot be read as it stands."""
 AT_ONCE, UNREAD, OVER_ALL = (

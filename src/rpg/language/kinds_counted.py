@@ -7,7 +7,8 @@ import re
 
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import text_of
-from rpg.language.grammar.rows.vocabulary import COLOR, MANY, PATCH
+from rpg.language.grammar.rows.turned import Turns, all_of_it, turned
+from rpg.language.grammar.rows.vocabulary import COLOR, MANY, PATCH, number
 from rpg.language.open_colors import CHOSEN
 from rpg.language.tokens import Token
 
@@ -50,10 +51,9 @@ def with_kinds(tokens: list[Token]) -> tuple[list[Token], list[str]]:
     hues = _hues(of_each.groupdict(), text) if of_each is not None else []
     if of_each is None or not hues:
         return tokens, []
-    begin, end = (text[:at].count(" ") for at in of_each.span())
     told = " and ".join(f"{of_each['each']} {hue} {of_each['noun']}" for hue in hues)
-    said = [tokens[begin].saying(word) for word in told.split()]
-    return [*tokens[:begin], *said, *tokens[end + 1 :]], [f"the colours are left open: {' and '.join(hues)}"]
+    turn = (f"(?<![^ ]){re.escape(of_each.group())}(?![^ ])", told)
+    return turned(tokens, Turns([turn]), all_of_it), [f"the colours are left open: {' and '.join(hues)}"]
 
 
 def _as_counted(told: dict[str, str]) -> bool:
@@ -87,4 +87,4 @@ def _hues(told: dict[str, str], text: str) -> list[str]:
 
 
 def _number(word: str) -> int:
-    return 1 if word in ("a", "an") else int(word) if word.isdigit() else int(lexicon.NUMBER[word])
+    return 1 if word in ("a", "an") else number(word)

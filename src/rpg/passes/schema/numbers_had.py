@@ -73,6 +73,8 @@ def numbers_of(task: TaskSchema) -> Iterator[float]:
     parts = task.goal.goals if isinstance(task.goal, All) else (task.goal,)
     bounds = [part for part in parts if isinstance(part, Count) and isinstance(part.goal, Above)]
     yield from (part.at_most + 1 for part in bounds if part.at_most is not None)  # "no stack higher than two"
+    counted = [part for part in parts if isinstance(part, Count) and part.at_least == part.at_most]
+    yield from (len(part.over) - part.at_least for part in counted)  # "exactly two of them, the other three elsewhere"
     denied = [part.goal for part in parts if isinstance(part, Not)]
     yield from Counter((x.kind, getattr(x, "patch", getattr(x, "b", None))) for x in denied).values()  # "three off it"
     if task.assumed(EXCHANGED_LATER):

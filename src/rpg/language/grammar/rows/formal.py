@@ -50,6 +50,7 @@ from rpg.language.grammar.rows.one_more import one_more
 from rpg.language.grammar.rows.one_row_and_one import one_row_and_one
 from rpg.language.grammar.rows.order_matters import ORDER_MATTERS_AT_ONCE
 from rpg.language.grammar.rows.ordered import ORDERED, ORDERED_AT_ONCE
+from rpg.language.grammar.rows.others_elsewhere import others_elsewhere
 from rpg.language.grammar.rows.other_end import other_end_named, row_with_ends
 from rpg.language.grammar.rows.own_color import OWN_COLOR, OWN_COLOR_AT_ONCE
 from rpg.language.grammar.rows.palindromes import palindromes
@@ -259,7 +260,7 @@ _CHANGES = (
     sums_asked, sums_on_a_patch, one_row_and_one, listed_lines, column_words, labels_counted, announced_rainbow,
     swapped_over, result_told, palindromes, one_more, all_sides, around_named, some_of_the_letters, row_with_ends,
     other_end_named, rows_by_number, told_by_places, _steps_told, _one_of_each, of_each_color, corners_again,
-    not_at_end, of_the_figure, word_again, range_but, not_consecutive, so_many_inside, so_many_on_each,
+    not_at_end, of_the_figure, word_again, range_but, not_consecutive, so_many_inside, so_many_on_each, others_elsewhere,
 )  # fmt: skip
 """What is told otherwise before the rows are looked for, in this order."""
 

@@ -8,7 +8,7 @@ import re
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import text_of
 from rpg.language.grammar.rows.turned import Turns, turned
-from rpg.language.grammar.rows.vocabulary import BUILD, COLOR, LINE, MANY, PATCH
+from rpg.language.grammar.rows.vocabulary import BUILD, COLOR, LINE, MANY, PATCH, number
 from rpg.language.tokens import Token
 
 _LOT = f"(?:{MANY}) {COLOR}(?: (?:blocks|cubes|bricks|boxes|ones))?"
@@ -35,11 +35,11 @@ def so_many_inside(tokens: list[Token]) -> list[Token]:
         return tokens
     line, total, how, many, color = asked.groups()[1:]
     told = _LOTS.findall(f"{text[: asked.start()]} {asked['lots'] or ''} {text[asked.end() :]}")
-    stock = {look: _number(lot) for lot, look in told}
+    stock = {look: number(lot) for lot, look in told}
     if not len(told) == len(stock) == 2 or color not in stock:
         return tokens
     (other,) = stock.keys() - {color}
-    size, limit = _number(total), _number(many)
+    size, limit = number(total), number(many)
     inside = [n for n in range(size + 1) if n <= stock[color] and size - n <= stock[other] and _within(n, how, limit)]
     if not 0 < len(inside) <= _MOST_WAYS:
         return tokens
@@ -50,10 +50,6 @@ def so_many_inside(tokens: list[Token]) -> list[Token]:
 
 _LEADS = frozenset({"with", "containing", "contains", "has", "having", "which"})
 _LINED = frozenset({"tower", "stack", "row", "line", "column"})
-
-
-def _number(word: str) -> int:
-    return int(word) if word.isdigit() else int(lexicon.NUMBER[word])
 
 
 def _within(many: int, how: str | None, limit: int) -> bool:

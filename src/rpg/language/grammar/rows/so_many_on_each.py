@@ -8,7 +8,7 @@ import re
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import text_of
 from rpg.language.grammar.rows.turned import Turns, turned
-from rpg.language.grammar.rows.vocabulary import COLOR, MANY, MUST, PATCH, PATCHES
+from rpg.language.grammar.rows.vocabulary import COLOR, MANY, MUST, PATCH, PATCHES, number
 from rpg.language.tokens import Token
 
 _DEAL = "(?:please )?(?:put|place|set|move|bring|lay|distribute|spread|share|divide|deal|split)(?: out)?"
@@ -53,13 +53,9 @@ def _told(dealt: dict[str, str]) -> str | None:
     if "over" in dealt and not (dealt["over"] or re.search(f"\\b{PATCH}\\b", dealt["lots"])):
         return None  # "two on red and four on blue" are on blocks
     some = [(dealt["some"], dealt["there"])] if "some" in dealt else []
-    lots = {color: _number(many) for many, color in (*some, *_LOTS.findall(dealt["lots"]))}
-    total, dealt_out = _number(dealt["many"]), sum(lots.values())
-    if dealt_out > total or (dealt_out < total and not some) or _number(dealt.get("marks") or str(len(lots))) != len(lots):
+    lots = {color: number(many) for many, color in (*some, *_LOTS.findall(dealt["lots"]))}
+    total, dealt_out = number(dealt["many"]), sum(lots.values())
+    if dealt_out > total or (dealt_out < total and not some) or number(dealt.get("marks") or str(len(lots))) != len(lots):
         return None
     blocks = f"the {total} {dealt['color'] or ''} blocks"
     return " . ".join(f"exactly {many} of {blocks} must be on the {color} patch" for color, many in lots.items())
-
-
-def _number(word: str) -> int:
-    return int(word) if word.isdigit() else int(lexicon.NUMBER[word])

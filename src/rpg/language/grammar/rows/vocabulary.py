@@ -28,3 +28,8 @@ TOWER = "(?:tower|stack)"
 AND = "(?: ,| and| , and)"
 READER = "(?:i|you|we|he|she|they|one|everyone|everybody|people|(?:the|my|our|your|his|her|all|an?) (?:\\w+ ){0,2}\\w+)"
 """Who reads what is spelled."""
+
+
+def number(told: str) -> int:
+    """The number that is told by MANY."""
+    return int(told) if told.isdigit() else int(lexicon.NUMBER[told])

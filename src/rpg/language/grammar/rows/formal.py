@@ -22,6 +22,7 @@ from rpg.language.grammar.rows.column_words import column_words
 from rpg.language.grammar.rows.contrasted import CONTRASTED
 from rpg.language.grammar.rows.contrasts import CONTRASTS, CONTRASTS_ACROSS
 from rpg.language.grammar.rows.corners import corners_again
+from rpg.language.grammar.rows.corners_told import CORNERS_ACROSS, CORNERS_TOLD
 from rpg.language.grammar.rows.counts import COUNTED, SHARED_OUT
 from rpg.language.grammar.rows.distances import DISTANCES, DISTANCES_AT_ONCE, SPACED_AT_ONCE
 from rpg.language.grammar.rows.each_side import EACH_SIDE
@@ -206,12 +207,14 @@ _OF_THE_UNREAD = (
     *RAINBOW_SPANS,
     *TASK_TOLD,
     *SIZES_TOLD,
+    *CORNERS_TOLD,
 )
 """The rows of a sentence that cannot be read as it stands."""
 AT_ONCE, UNREAD, OVER_ALL = (
     Turns(_OF_ALL),
     Turns(_OF_THE_UNREAD),
     Turns((*FALLEN, *ONE_TOPPED, *TOLD_OF_BOTH, *CONTRASTS_ACROSS, *BEFORE_AND_AFTER, *WAY_BEHIND, *ACROSS)),
+    Turns((*FALLEN, *ONE_TOPPED, *TOLD_OF_BOTH, *CONTRASTS_ACROSS, *BEFORE_AND_AFTER, *CORNERS_ACROSS, *ACROSS)),
 )
 
 

@@ -11,6 +11,7 @@ from rpg.language.grammar.rows.all_sides import all_sides
 from rpg.language.grammar.rows.alternatives import ALTERNATIVES, ALTERNATIVES_AT_ONCE
 from rpg.language.grammar.rows.around_it import AROUND_AT_ONCE, around_named
 from rpg.language.grammar.rows.asked_aloud import ASKED_ALOUD, ASKED_ALOUD_AT_ONCE
+from rpg.language.grammar.rows.barred_there import BARRED_THERE, BARRED_THERE_AT_ONCE
 from rpg.language.grammar.rows.become import BECOME, BECOME_AT_ONCE
 from rpg.language.grammar.rows.before_and_after import BEFORE_AND_AFTER, WITH_ITS_TOP
 from rpg.language.grammar.rows.begun import BEGUN, BEGUN_AT_ONCE
@@ -156,6 +157,7 @@ _OF_ALL = (
     *KEPT_AT_ONCE,
     *SEPARATELY,
     *LYING_THERE_AT_ONCE,
+    *BARRED_THERE_AT_ONCE,
     *OWN_COLOR_AT_ONCE,
     *EACH_THERE,
     *ALTERNATIVES_AT_ONCE,
@@ -208,6 +210,7 @@ _OF_THE_UNREAD = (
     *TASK_TOLD,
     *SIZES_TOLD,
     *CORNERS_TOLD,
+    *BARRED_THERE,
 )
 """The rows of a sentence that cannot be read as it stands."""
 AT_ONCE, UNREAD, OVER_ALL = (

@@ -16,7 +16,8 @@ _OF_EACH = (
     "(?: (?:block|cube|brick|box|boxes|one)s?)? (?:of|in|from) (?:each|every|both)(?: of the)?(?: two| three)? colors?"
 )
 _BE = f"(?:is|are|lies?|stands?|sits?|(?:{MUST}|may|can) (?:be|go|lie|stand|sit|end up))"
-_ON = f"((?:on|in) (?:the|a) (?:{COLOR} )?{PATCH})"
+_PART = "(?:(?:near|far|front|back|left|right) ){1,2}(?:half|corner)(?: of the table)?"
+_ON = f"((?:on|in) (?:the|a) (?:(?:{COLOR} )?{PATCH}|{_PART}))"
 _HOLDS = f"(?:(?:{MUST} )?(?:have|hold|carry|contain|bear)|has|holds|carries|contains|bears)"
 
 
@@ -40,7 +41,7 @@ def _rows(colors: list[str]) -> list[Turn]:
     lots = " and ".join(f"{{1}} of the {color} blocks" for color in colors)
     return [
         (f"\\b(?:put |place |set |have |get )?{_SO_MANY}{_OF_EACH} {_BE} {_ON}", f"{lots} must be {{2}}"),
-        (f"^(?:put|place|set|have|get) {_SO_MANY}{_OF_EACH} {_ON}$", f"{lots} must be {{2}}"),
+        (f"^(?:put|place|set|have|get|(?:i|we) would (?:love|like) to (?:see|have)) {_SO_MANY}{_OF_EACH} {_ON}$", f"{lots} must be {{2}}"),
         (f"^(the (?:{COLOR} )?{PATCH}) {_HOLDS} {_SO_MANY}{_OF_EACH}(?: on it)?$",
          f"{lots.replace('{1}', '{2}')} must be on {{1}}"),
         (f"^on (the (?:{COLOR} )?{PATCH}) there (?:is|are|{MUST} be) {_SO_MANY}{_OF_EACH}$",

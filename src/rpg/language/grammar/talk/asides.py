@@ -305,7 +305,7 @@ _ALTOGETHER = ("entirely", "wholly", "completely", "fully", "purely")
 """What carries nothing in front of a colour."""
 _BUILT = ("finished", "completed", "resulting", "finalized", "low")
 """What carries nothing in front of what is built."""
-_AT_ONCE = ("at the same time", "simultaneously")
+_AT_ONCE = ("at the same time", "in the same time", "at same time", "in same time", "simultaneously")
 """What carries nothing where nothing is denied: all that is asked for holds in the end."""
 _DO_THIS = tuple(
     f"{who} {want} you to do {this} :"

@@ -1,5 +1,5 @@
-"""What alone may be at a place: "only the green block may be on the patch, neither the red nor the blue one", "every block
-on the mat must be yellow", as rows that say what must not be there; and a stock that is told as enough."""
+"""What alone may be at a place: "only the green block may be on the patch, neither the red nor the blue one", "every
+block on the mat must be yellow", as rows that say what must not be there; and a stock that is told as enough."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ _LOT = f"{MANY} {COLOR}(?: {_BLOCKS})?"
 _ENOUGH = "(?:(?:are|is|will be|would be) (?:enough|sufficient|plenty)|will do|suffices?)"
 
 BARRED_THERE_AT_ONCE: tuple[Turn, ...] = (
-    (f"^(only {THING} (?:may|can) (?:be|lie|go|stand) {_HERE})(?: ,)? (?:and )?(?:neither|not) ({THING}) (?:nor|or|and not) "
-     f"({THING})$", "{1} . {3} and {4} must not be {2}"),
+    (f"^(only {THING} (?:may|can) (?:be|lie|go|stand) {_HERE})(?: ,)? (?:and )?(?:neither|not) ({THING}) (?:nor|or|and "
+     f"not) ({THING})$", "{1} . {3} and {4} must not be {2}"),
 )  # fmt: skip
 """What is looked for in every sentence, and what is said instead."""
 BARRED_THERE: tuple[Turn, ...] = (

@@ -52,8 +52,8 @@ from rpg.language.grammar.rows.one_more import one_more
 from rpg.language.grammar.rows.one_row_and_one import one_row_and_one
 from rpg.language.grammar.rows.order_matters import ORDER_MATTERS_AT_ONCE
 from rpg.language.grammar.rows.ordered import ORDERED, ORDERED_AT_ONCE
-from rpg.language.grammar.rows.others_elsewhere import others_elsewhere
 from rpg.language.grammar.rows.other_end import other_end_named, row_with_ends
+from rpg.language.grammar.rows.others_elsewhere import others_elsewhere
 from rpg.language.grammar.rows.own_color import OWN_COLOR, OWN_COLOR_AT_ONCE
 from rpg.language.grammar.rows.palindromes import palindromes
 from rpg.language.grammar.rows.patches_told import PATCHES_AT_ONCE, PATCHES_UNREAD

@@ -213,21 +213,11 @@ _OF_THE_UNREAD = (
     *BARRED_THERE,
 )
 """The rows of a sentence that cannot be read as it stands."""
+_LAST_ACROSS = (*WAY_BEHIND, *CORNERS_ACROSS, *ACROSS)
 AT_ONCE, UNREAD, OVER_ALL = (
     Turns(_OF_ALL),
     Turns(_OF_THE_UNREAD),
-    Turns(
-        (
-            *FALLEN,
-            *ONE_TOPPED,
-            *TOLD_OF_BOTH,
-            *CONTRASTS_ACROSS,
-            *BEFORE_AND_AFTER,
-            *WAY_BEHIND,
-            *CORNERS_ACROSS,
-            *ACROSS,
-        ),
-    ),
+    Turns((*FALLEN, *ONE_TOPPED, *TOLD_OF_BOTH, *CONTRASTS_ACROSS, *BEFORE_AND_AFTER, *_LAST_ACROSS)),
 )
 
 

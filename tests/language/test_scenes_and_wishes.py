@@ -180,3 +180,23 @@ def test_what_a_patch_is_not_cleared_of_stays() -> None:
     assert "green block must be on the gray patch" in end
     assert "empty" not in end
     assert code_of("Clear the mat except for the green block.") == "ambiguous"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The red block was on the mat and is now on the blue one. Put it back.",
+        "The red block was on the mat. Now it is on the blue one. Put it back.",
+        "The red block was on the mat but is now on the blue one. Put it back on the mat.",
+    ],
+)
+def test_where_it_was_before_is_not_the_start(text: str) -> None:
+    begun, end = start_and_end(text)
+    assert begun == "At the start, the red block is on the blue block"
+    assert end == "The red block must be on the gray patch."
+
+
+def test_what_was_so_is_the_start_of_what_is_so_now() -> None:
+    begun, end = start_and_end("The red block was on the mat. Now it is on the blue block.")
+    assert "on the gray patch" in begun
+    assert "on the blue block" in end

@@ -45,7 +45,7 @@ def with_color_classes(tokens: list[Token]) -> tuple[list[Token], list[str]]:
 
 def _told(tokens: Sequence[Token]) -> _Class | None:
     """The class that is told first."""
-    for at, token in enumerate(tokens):
+    for at in range(len(tokens)):
         noun = at
         while noun < len(tokens) and _of_tone(tokens[noun]):
             noun += 1

@@ -1,5 +1,5 @@
-"""Patches that are named behind the word for all of them: "all six blocks on the two mats, as many on the pink mat as on
-the green one"."""
+"""Patches that are named behind the word for all of them: "all six blocks on the two mats, as many on the pink mat as
+on the green one"."""
 
 from __future__ import annotations
 

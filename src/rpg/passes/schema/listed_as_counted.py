@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import takewhile
+from itertools import pairwise, takewhile
 
 from rpg.ir.assets import FACES, SemanticCube
 from rpg.ir.schema import TaskSchema
@@ -16,7 +16,7 @@ _NOUNS = frozenset({*lexicon.BLOCK, "letters", "digits", "numbers", "symbols"})
 
 def check_listed_as_counted(words: Sequence[Token], task: TaskSchema) -> None:
     """Refuse "the four cubes A, B, C and D" as four cubes that show an A, and others."""
-    for n, (number, noun) in enumerate(zip(words, words[1:], strict=False)):
+    for n, (number, noun) in enumerate(pairwise(words)):
         if number.many < 2 or noun.word not in _NOUNS or not noun.word.endswith("s"):
             continue
         listed = [*takewhile(_symbol_or_joint, words[n + 2 :])]

@@ -22,7 +22,8 @@ _WAYS = "(?:way|direction|ways|directions)"
 _ROW = (
     "(?: (?:along|at|in|on|for) (?:the |its )?(?:base|bottom|front|back|top|near side|far side|next|second|third|"
     "fourth|"
-    "first|last|middle|near|far|rear|nearest|farthest|following|tip|apex|point|peak)(?: (?:row|one|line))?(?: (?:behind|before|in front "
+    "first|last|middle|near|far|rear|nearest|farthest|following|tip|apex|point|peak)(?: (?:row|one|line))?(?: "
+    "(?:behind|before|in front "
     "of|after) (?:it|that|them))?)?"
 )
 SIZES: list[Pattern] = [
@@ -50,7 +51,8 @@ SIZES: list[Pattern] = [
     *patterns("side", lambda m: number(m["count"]),
         f"(?:with )?{COUNT}{_MADE_LONG} (?:per|on|along|in|for|at|to|down|each|every|makes?|make up|form|forming|"
         f"a)(?: {_EACH})? {_SIDE}",
-        f"(?:with |and |so that |whose )?(?:{_EACH} |the length of {_EACH} )?{_SIDE} {HAS}(?:exactly )?{COUNT}{_MADE_LONG}",
+        f"(?:with |and |so that |whose )?(?:{_EACH} |the length of {_EACH} )?{_SIDE} {HAS}(?:exactly "
+        f")?{COUNT}{_MADE_LONG}",
         f"(?:with )?(?:(?:a|the|its) )?(?:side|edge)(?: length| size)? {HAS}{COUNT}{_MADE_LONG}",
         f"{COUNT}{_MADE_LONG} (?:a|per|each) {_SIDE}"),
     *patterns("rows", lambda m: [number(n) for n in re.findall(r"\d+|one", m[0])],
@@ -122,7 +124,8 @@ LIMBS: list[Pattern] = [
     *patterns("limb", lambda m: ("stem", number(m["count"]), _further(m)),
         f"{_N}{_MORE}(?: BLOCK)?(?: going| go| running| run| lie| lying| hanging| hang| sticking)? (?:{_FOR}(?:the "
         f"|its )?{STEM}|down(?:wards?)?(?: (?:from )?(?:the|its) (?:middle|center|stem))?|below(?: (?:it|them|that|"
-        "the bar|the middle(?: one| BLOCK)?))?(?: in the (?:middle|center))?|vertical|vertically|down from the (?:middle|center)|"
+        "the bar|the middle(?: one| BLOCK)?))?(?: in the (?:middle|center))?|vertical|vertically|down from the "
+        "(?:middle|center)|"
         "under (?:it|the "
         f"middle|the bar)|underneath(?: it)?)(?: in the middle)?(?: (?:as|for) (?:the|its) {STEM})?",
         f"(?:(?:below|under|underneath)(?: (?:it|that|the {BAR}))? )?(?:the |its |a |whose |with a |with the "

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 from rpg.language.frames.lots import Lot, as_adjectives, check_listed, check_owned, declared, one, without_brackets
 from rpg.language.frames.pieces import Piece, Unclear
@@ -92,7 +93,7 @@ def told(pieces: Sequence[Piece]) -> str:
 
 def _but_so(pieces: Sequence[Piece]) -> list[Piece]:
     """ "The letter T, but upside down": behind such a "but" is no block that is left out."""
-    turns = [piece.kind == "except" and behind.kind == "way" for piece, behind in zip(pieces, pieces[1:], strict=False)]
+    turns = [piece.kind == "except" and behind.kind == "way" for piece, behind in pairwise(pieces)]
     return [replace(p, kind="break") if turn else p for p, turn in zip(pieces, [*turns, False], strict=True)]
 
 

@@ -11,7 +11,8 @@ _LEADS = ("across the top of", "across the tops of", "across", "bridging", "span
 _PAIR = frozenset({"both", "both of them", "them", "the two", "the two of them"})
 _CENTERED = tuple(
     f"{centered} {on}"
-    for centered in ("centered", "centrally", "placed centrally", "in the center", "in the middle", "exactly in the middle")
+    for centered in ("centered", "centrally", "placed centrally", "in the center", "in the middle",
+                     "exactly in the middle")
     for on in ("on", "on top of", "over", "upon", "atop")
 )  # fmt: skip
 _ON = ("on", "on top of", "upon", "atop", "over")

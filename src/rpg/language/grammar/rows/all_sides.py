@@ -20,7 +20,8 @@ _ONE = "(?:one(?: (?:of them|block|cube|each))? )?"
 _SIDE = f"{_ONE}(?:{'|'.join((*_SIDES.values(), _BOTH))})"
 _EACH = "(?:on|at) (?:each|every|all)(?: (?:one )?of (?:its|the))?(?: four)? sides?(?: of it)?"
 _LISTED = re.compile(
-    f"(?P<ahead>.*?)(?P<each> {_EACH})?(?: [,:(-]| with| namely| that is)+ (?P<sides>{_SIDE}(?:(?: ,| and| ;)+ {_SIDE}){{2,3}})"
+    f"(?P<ahead>.*?)(?P<each> {_EACH})?(?: [,:(-]| with| namely| that is)+ (?P<sides>{_SIDE}(?:(?: ,| and| ;)+ "
+    f"{_SIDE}){{2,3}})"
     "(?: \\))?(?= [.,;!]|$)"
 )
 

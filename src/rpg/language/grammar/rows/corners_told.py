@@ -20,10 +20,12 @@ CORNERS_ACROSS: tuple[Turn, ...] = (
 CORNERS_TOLD: tuple[Turn, ...] = (
     (f"^{_FOUR} ?[:,] (?:four (?:blocks|cubes|bricks) ?[:,] )?(?:{PUT} )?{_ONE} (?:in|into) each(?: of them| one| "
      "corner)?(?: of the table)?$", "put {1} in each corner of the table"),
-    (f"^(?:{_FOUR}|(?:two |three )?corners(?: of the table)?) ?[:,] (?=.*\\b(?:near|far|front|back|left|right) corner\\b)",
+    (f"^(?:{_FOUR}|(?:two |three )?corners(?: of the table)?) ?[:,] (?=.*\\b(?:near|far|front|back|left|right) "
+     "corner\\b)",
      ""),
     ("^(?:the )?(?:table has )?(?:the )?(?:two )?halves(?: of the table)? ?[:,] (?=.*\\bhalf\\b.*\\bhalf\\b)", ""),
-    (f"^{_ALL} corners?(?: of the table)? {MUST} (?:be|get)(?: occupied| filled| taken| covered)(?: by| with) {_BLOCK}(?: "
+    (f"^{_ALL} corners?(?: of the table)? {MUST} (?:be|get)(?: occupied| filled| taken| covered)(?: by| with) "
+     f"{_BLOCK}(?: "
      "each)?$", "put a {1} block in each corner of the table"),
     (f"^(?:fill|occupy) {_ALL} corners?(?: of the table)? with {_BLOCK}(?: each)?$",
      "put a {1} block in each corner of the table"),

@@ -90,7 +90,8 @@ DISTANCES_AT_ONCE: tuple[Turn, ...] = (
     # of centres
     (f"\\b(?:an? (?:distance|spacing) of )?({LENGTH})(?: ,)? {_MEASURED}(?: ,)? between (?={_NAMED})",
      "{1} between the centers of "),
-    (f"\\b(?:an? (?:distance|gap|spacing) of )?({LENGTH})(?: ,)?(?: from)? (?:edge|face|side) to (?:edge|face|side)(?: ,)? "
+    (f"\\b(?:an? (?:distance|gap|spacing) of )?({LENGTH})(?: ,)?(?: from)? (?:edge|face|side) to (?:edge|face|"
+     f"side)(?: ,)? "
      f"between (?={_NAMED})", "a gap of {1} between "),
     (f"(?: ,)? (?:with )?(?:its|the) {_CENTER} (?:off|out|displaced|shifted)(?: center)?(?: by)? ({_MOST_OFF} "
      f"{LENGTH})$", " , centered to within {1}"),

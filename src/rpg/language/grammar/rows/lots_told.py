@@ -99,8 +99,10 @@ LOTS_AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:the )?({COLOR}(?: , {COLOR})*(?: ,)? and {COLOR} (?:blocks|cubes)) : ((?:put|stack|place|build|make|"
      "arrange|line|move|set|lay) .+)$", "there are the {1} . {2}"),
     # two groups, each with strangers from the other
-    (f"^(?:put |sort |part |split |divide )?({MANY}) ({COLOR})(?: {_BLOCK})? and ({MANY}) (?!\\2)({COLOR}) {_BLOCK} (?:in|into) "
-     f"(?:two {_GROUPS} ?[,:] (?:one|an?) (?:\\2|\\4)(?: one)?(?: ,| and) (?:one|an?) (?:\\2|\\4)(?: one)?|an? (?:\\2|\\4)(?: "
+    (f"^(?:put |sort |part |split |divide )?({MANY}) ({COLOR})(?: {_BLOCK})? and ({MANY}) (?!\\2)({COLOR}) "
+     f"{_BLOCK} (?:in|into) "
+     f"(?:two {_GROUPS} ?[,:] (?:one|an?) (?:\\2|\\4)(?: one)?(?: ,| and) (?:one|an?) (?:\\2|\\4)(?: one)?|an? "
+     f"(?:\\2|\\4)(?: "
      f"one)? and an? (?:\\2|\\4) {_GROUP})(?: ,)? (?:but |and |though )?((?:each|with) .*?\\b(?:{_STRANGER}s?|"
      "(?:other|wrong) color)\\b.*?)(?: in it| inside| inside it)?$",
      "sort {1} {2} and {3} {4} blocks by color , but {5}"),
@@ -118,7 +120,8 @@ LOTS_AT_ONCE: tuple[Turn, ...] = (
 """What is read otherwise, or not at all, as it stands."""
 LOTS: tuple[Turn, ...] = (
     # who is the stranger
-    (f"^(.*\\b(?:one|an?|single) ({COLOR})\\b.*?)(?: together)? (?:as|in|into|to) (?:one|an?|a single) ({_GROUP})(?: ,)? "
+    (f"^(.*\\b(?:one|an?|single) ({COLOR})\\b.*?)(?: together)? (?:as|in|into|to) (?:one|an?|a single) "
+     f"({_GROUP})(?: ,)? "
      f"(?:and |with )?the \\2(?: {_BLOCK})? {_AS} {_STRANGER}$", "{1} in one {3}"),
     (f"^((?:{_MAKE} )?an? {_GROUP} of .+?)(?: ,)? with (?:one|an?|a single) ({COLOR})(?: {_BLOCK})? {_AS} {_STRANGER}$",
      "{1} with one {2} outlier"),

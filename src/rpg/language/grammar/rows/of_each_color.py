@@ -41,7 +41,8 @@ def _rows(colors: list[str]) -> list[Turn]:
     lots = " and ".join(f"{{1}} of the {color} blocks" for color in colors)
     return [
         (f"\\b(?:put |place |set |have |get )?{_SO_MANY}{_OF_EACH} {_BE} {_ON}", f"{lots} must be {{2}}"),
-        (f"^(?:put|place|set|have|get|(?:i|we) would (?:love|like) to (?:see|have)) {_SO_MANY}{_OF_EACH} {_ON}$", f"{lots} must be {{2}}"),
+        (f"^(?:put|place|set|have|get|(?:i|we) would (?:love|like) to (?:see|have)) {_SO_MANY}{_OF_EACH} "
+         f"{_ON}$", f"{lots} must be {{2}}"),
         (f"^(the (?:{COLOR} )?{PATCH}) {_HOLDS} {_SO_MANY}{_OF_EACH}(?: on it)?$",
          f"{lots.replace('{1}', '{2}')} must be on {{1}}"),
         (f"^on (the (?:{COLOR} )?{PATCH}) there (?:is|are|{MUST} be) {_SO_MANY}{_OF_EACH}$",

@@ -14,14 +14,18 @@ _AND = "(?: ,| and| with|;)+"
 _IN_MID = f"(?:(?:right |exactly |directly )?(?:in|at|over|on) the {MID}(?: of {_THEM})?|centered|centrally)"
 _ON_TOP = f"(?:on top(?: of {_THEM})?|on {_THEM}|above(?: {_THEM})?)"
 _SO = "(?:(?:so|such) that it|which|that|and(?: it)?)"
-_RESTS = f"(?:{_SO} )?(?:is )?(?:rests?|resting|lies|lying|sits|sitting|stands|standing|supported)(?: equally| evenly)? (?:on|by|across)"
+_RESTS = (
+    f"(?:{_SO} )?(?:is )?(?:rests?|resting|lies|lying|sits|sitting|stands|standing|supported)(?: equally| evenly)? "
+    "(?:on|by|across)"
+)
 _ALL = "(both|all four)(?: of (?:them|these|those))?"
 
 ON_SEVERAL_AT_ONCE: tuple[Turn, ...] = (
     (f"{_ON_TOP}(?: ,)?(?: {_IN_MID})?(?: ,)? {_RESTS} {_ALL}", "across {1} of them"),
     (f"\\b((?:an?|one|the)(?: single)? (?:{COLOR} )?{_N})(?: ,)? (?:{_RESTS}) {_ALL}$", "{1} across {2} of them"),
     (
-        f"\\bon(?: top of)? (?:all )?(?:the )?four ((?:{COLOR} )?{_N})(?: ,)? (?:that|which) (?:form|make|make up|are) an? "
+        f"\\bon(?: top of)? (?:all )?(?:the )?four ((?:{COLOR} )?{_N})(?: ,)? (?:that|which) (?:form|make|make "
+        f"up|are) an? "
         f"(?:{_TWO} )?(?:square|grid)\\b",
         "on all four {1}",
     ),
@@ -30,7 +34,8 @@ ON_SEVERAL_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b(?:resting on|supported by) two (?:other )?((?:{COLOR} )?{_N})$", "across two {1}"),
     (f"\\b(?:resting on|supported by) four (?:other )?((?:{COLOR} )?{_N})$", "on all four {1}"),
     (
-        f"^an? bridge(?: ,| :| of| from| made of| out of)+ (two (?:{COLOR} )?{_N})(?: ,| and| with)+ (an? (?:{COLOR} )?{_N}) "
+        f"^an? bridge(?: ,| :| of| from| made of| out of)+ (two (?:{COLOR} )?{_N})(?: ,| and| with)+ (an? "
+        f"(?:{COLOR} )?{_N}) "
         "(?:lying |resting |placed )?(?:on|on top of|over|across) (?:both(?: of them)?|them|the two)$",
         "{1} next to each other and {2} across them",
     ),
@@ -40,7 +45,8 @@ ON_SEVERAL: tuple[Turn, ...] = (
     # three layers, each smaller
     (
         f"^(?:an? )?(?:base|bottom layer) of {_THREE} ({COLOR}) {_N}{_AND} {_ON_TOP} {_TWO} ({COLOR}) {_N}{_AND} (?:on "
-        f"(?:that|top of (?:that|those|them))|(?:on|at) (?:the )?(?:very )?top) (?:an?|one)(?: single)? ({COLOR}) {_N}$",
+        f"(?:that|top of (?:that|those|them))|(?:on|at) (?:the )?(?:very )?top) (?:an?|one)(?: single)? "
+        f"({COLOR}) {_N}$",
         "a pyramid with a three by three base , the bottom layer {1} , the middle layer {2} and the top {3}",
     ),
     # the base

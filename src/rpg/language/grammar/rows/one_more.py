@@ -9,7 +9,8 @@ from rpg.language.tokens import Token
 
 _PLACE = " (?:in|at|on|to|above|over|inside|between|next|behind)\\b"
 _FURTHER = re.compile(
-    f"\\b(?:one|an?) (?:more|further|additional|extra|single)(?: (?:{CUBE}|one))?(?: ,)? (?:(?:that|which) (?:is|{MUST} "
+    f"\\b(?:one|an?) (?:more|further|additional|extra|single)(?: (?:{CUBE}|one))?(?: ,)? (?:(?:that|which) "
+    f"(?:is|{MUST} "
     f"be)|an?|and it(?: is| {MUST} be)) ({COLOR})(?: one| {CUBE})?(?: ,(?={_PLACE}))?(?= [.,;!]|$|{_PLACE})"
 )
 

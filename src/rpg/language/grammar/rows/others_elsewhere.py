@@ -1,5 +1,5 @@
-"""So many blocks at a place, and so many others that are anywhere else: "exactly three cubes inside the yellow patch, the
-remaining two anywhere else on the table" is exactly three of the five."""
+"""So many blocks at a place, and so many others that are anywhere else: "exactly three cubes inside the yellow patch,
+the remaining two anywhere else on the table" is exactly three of the five."""
 
 from __future__ import annotations
 
@@ -17,8 +17,10 @@ _MAY = f"(?:{_BE}|(?:may|can|could) (?:be|lie|go|stay|stand))"
 _ELSE = "(?:(?:anywhere|somewhere|wherever)(?: else| but (?:there|on it|in it))?|elsewhere)"
 _TOLD = re.compile(
     f"(?:^|(?<=[.:;!] ))(?:{PUT} )?(?:exactly |just |only )?(?P<many>{MANY})(?: of (?:the )?(?P<all>{MANY}))?(?: "
-    f"(?P<color>{COLOR}))?(?P<noun> {_BLOCKS})?(?: {_BE})? (?P<place>(?:on|onto|in|into|inside) the [^,.;:]+?) (?:,|;|\\.|"
-    f"and)(?: and| but)? the (?:other|remaining)(?: (?P<others>{MANY}))?(?: (?P<like>{COLOR}))?(?P<ones> {_BLOCKS}| ones?)?"
+    f"(?P<color>{COLOR}))?(?P<noun> {_BLOCKS})?(?: {_BE})? (?P<place>(?:on|onto|in|into|inside) the [^,.;:]+?) "
+    f"(?:,|;|\\.|"
+    f"and)(?: and| but)? the (?:other|remaining)(?: (?P<others>{MANY}))?(?: (?P<like>{COLOR}))?(?P<ones> "
+    f"{_BLOCKS}| ones?)?"
     f"(?: {_MAY})? {_ELSE}(?: (?:on|around|about)(?: the table)?| you like| they like)?(?= [.;!]|$)"
 )
 _COUNTED = re.compile(f"\\b({MANY}) (?:{COLOR} )?{_BLOCKS}\\b")

@@ -23,9 +23,11 @@ _AND = "(?: ,| and| , and| plus)"
 _OTHER = ("(?:(?:of|in|with|that has) (?:(?:another|the wrong|some other) color(?: than its(?: own)?)?|an? (?:color )?"
           "(?:other|different)(?: color)? (?:than|from) its(?: own)?(?: color)?)|(?:that|which) (?:does not match(?: "
           "its(?: own)? color| it)?|is not (?:of |in )?its(?: own)? color|(?:has|is of) (?:another|a different) color "
-          "(?:than|from) it(?:s own)?|does not have (?:its(?: own)?|the same) color(?: as it)?)|not of its(?: own)? color)"
+          "(?:than|from) it(?:s own)?|does not have (?:its(?: own)?|the same) color(?: as it)?)|not of its(?: "
+          "own)? color)"
           )  # fmt: skip
-_OWN = ("(?:(?:of|in|with|that has|which has|having) (?:its(?: own)?|their own|the same) color|(?:that|which) (?:matches "
+_OWN = ("(?:(?:of|in|with|that has|which has|having) (?:its(?: own)?|their own|the same) color|(?:that|which) "
+        "(?:matches "
         "it|matches its(?: own)? color|is of its(?: own)? color))")  # fmt: skip
 _NONE = "no block may be on the patch of its own color"
 
@@ -54,7 +56,8 @@ def _stocks() -> tuple[Turn, ...]:
 
 OWN_COLOR_AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:{PUT} |(?:i|we) (?:want|would like) )?(?:all|each|every)(?: one)?(?: of)?(?: the)?(?: {MANY})? {_BLOCKS}(?: "
-     f"{IS}|(?: to)? (?:be|go|lie|end up))? on (?:an?|some|any|one of the) (?:{PATCH}|{PATCHES})(?: ,)? (?:but|and|though|"
+     f"{IS}|(?: to)? (?:be|go|lie|end up))? on (?:an?|some|any|one of the) (?:{PATCH}|{PATCHES})(?: ,)? (?:but|"
+     f"and|though|"
      f"only) (?:none|not one|not|never|no {_BLOCK})(?: of (?:them|these|the blocks))?(?: {IS})?(?: on)? (?:the|an?)(?: "
      f"{PATCH}| one)? {_OWN}$", f"every block must be on a patch . {_NONE}"),
     (f"^{PUT} (?:exactly )?(?:one|an?) {_BLOCK} on (?:each|every) {PATCH}(?: ,)? (?:but|and) (?:none|not one)(?: of "

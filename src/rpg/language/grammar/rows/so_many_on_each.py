@@ -22,12 +22,14 @@ _NEXT = "(?: ,| ;| and| , and)"
 _BEGIN, _END = "(?:^|(?<=[.!?;:] ))", "(?= [.!;]|$)"
 _DEALT = (
     re.compile(
-        f"{_BEGIN}(?:{_DEAL} )?(?:all )?(?:of )?(?:the |my )?(?P<many>{MANY}) {_BLOCKS}(?P<over>(?: {_GO})? {_OVER} (?:the "
+        f"{_BEGIN}(?:{_DEAL} )?(?:all )?(?:of )?(?:the |my )?(?P<many>{MANY}) {_BLOCKS}(?P<over>(?: {_GO})? "
+        f"{_OVER} (?:the "
         f"|these |my |both )?(?:(?P<marks>{MANY}) )?{PATCHES})?(?: [,:(]| so that) (?P<lots>{_LOT}(?:{_NEXT} {_LOT})+)"
         f"(?: \\))?{_END}"
     ),
     re.compile(
-        f"{_BEGIN}(?:{_DEAL} )?(?:exactly |just )?(?P<some>{MANY}) of (?:the |my )?(?P<many>{MANY}) {_BLOCKS}(?: {_GO})? "
+        f"{_BEGIN}(?:{_DEAL} )?(?:exactly |just )?(?P<some>{MANY}) of (?:the |my )?(?P<many>{MANY}) "
+        f"{_BLOCKS}(?: {_GO})? "
         f"(?:on|onto|in|into) (?:the )?(?P<there>{COLOR}) {PATCH}(?P<lots>(?:{_NEXT} {_LOT})+){_END}"
     ),
 )

@@ -23,7 +23,8 @@ _MATTERS = (
     "do|does not really|actually|particularly? matter|make_a_difference|make_any_difference to_me|to_us|here|at_all?"
 )
 _DOES = ("will|would do|do_just_fine|do_fine|work|be_fine|be_ok|be_okay|suit_me",
-         "is|are|be perfectly|just? fine|ok|okay|good|acceptable|allowed|possible|all_right|alright with|by|for? me|us?",
+         "is|are|be perfectly|just? fine|ok|okay|good|acceptable|allowed|possible|all_right|alright with|by|"
+         "for? me|us?",
          "works|work|does|do|counts|count|suits|suit for_me|for_us|me?")  # fmt: skip
 WHICHEVER = Patterns(
     f"it|that|this really|actually? {_MATTERS} {_WHICH}",

@@ -96,6 +96,8 @@ def only_talk(tokens: Sequence[Token]) -> bool:
         return False
     if not lead and _wished_for(words):
         return False
+    if words[0] in ("like", "just", "as") and not LAID_OUT.isdisjoint(words):
+        return False
     aimed = _lead(words, _AIMS)
     tried = titled or (bool(aimed) and not _TRYING.isdisjoint(words[aimed : aimed + 4]))
     felt = _felt(words)

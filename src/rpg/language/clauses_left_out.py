@@ -16,7 +16,7 @@ from rpg.language import harmless, lexicon
 from rpg.language.not_here import HINTS
 from rpg.language.smalltalk import is_strange, takes_back
 from rpg.language.spoken_leads import DET, PLACING, TESTS, bends, of_words, tells_nothing
-from rpg.language.telling import may_tell, may_tell_how, tells
+from rpg.language.telling import LAID_OUT, may_tell, may_tell_how, tells
 from rpg.language.tokens import Token
 from rpg.language.told_again import ordered_again, told_again
 from rpg.language.word_lists import listed

@@ -67,9 +67,10 @@ _SIDES_OF = ("on each of the four sides of", "on all four sides of", "on every o
              "at each of the four sides of", "at all four sides of")  # fmt: skip
 _EACH_SIDE = tuple(f"on {sides}" for sides in ("each side", "each of its sides", "each side of it"))
 """Which with one block could be two sides or four."""
-_AROUND = ("around it", "all around it", "round it", "surrounding it", "placed around it", "arranged around it",
-           "standing around it", "around that one")  # fmt: skip
-_AROUND = tuple(f"{how}{around}" for how in ("", "directly ", "immediately ", "right ") for around in _AROUND)
+_AROUND = tuple(
+    f"{how}{around}" for how in ("", "directly ", "immediately ", "right ")
+    for around in ("around it", "all around it", "round it", "surrounding it", "placed around it", "arranged around it",
+                   "standing around it", "around that one"))  # fmt: skip
 _IN_SHAPE = (
     "in a",
     ", in a",

@@ -48,5 +48,5 @@ def readied(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
         chains = tuple(map(each, chains))
     told = (shared_gaps(shared_sides(recounted(chain), text), text) for chain in chains)
     plain = (into_an_order(patch_in_common(taken_off(chain), text), text) for chain in told)
-    plain = in_one_tense(tuple(whichever(chain, text) for chain in plain), text)
-    return told_behind(there_before(plain, text), text)
+    chains = in_one_tense(tuple(whichever(chain, text) for chain in plain), text)
+    return told_behind(there_before(chains, text), text)

@@ -173,6 +173,7 @@ def with_hub(names: tuple[str, ...], hub: Absolute, shape: Structure, spec: Spec
     at = next((k for k, cell in enumerate(cells) if abs(cell.x) + abs(cell.y) < 0.01), None)
     if at is None:
         raise refuse("too-few", f"{len(names)} blocks do not go around another one", shape.span, "use eight")
+    ranks: tuple[tuple[str, ...], ...]
     if alternating:
         names = _in_turn(names, [cells[k] for k in range(count) if k != at], shape, scene)
         ranks = tuple((n,) for n in (*names[:at], *middle, *names[at:]))

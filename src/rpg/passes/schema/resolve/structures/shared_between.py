@@ -43,8 +43,9 @@ def shared_between(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
         while rest:
             (link, clause), *rest = rest
             source, shapes, more = _made_of_one_lot(clause, rest)
-            told = _told(clause, source, shapes, kinds) if source is not None else [clause]
-            rest = rest[more:] if source is not None else rest
+            told: list[Meaning] = [clause]
+            if source is not None and isinstance(clause, Clause):
+                told, rest = _told(clause, source, shapes, kinds), rest[more:]
             links += [link, *["and"] * (len(told) - 1)]
             clauses += told
             kinds |= {x.kind for x in parts_of(clause) if isinstance(x, Structure)}

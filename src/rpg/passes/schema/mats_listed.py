@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from rpg.ir.schema import TaskSchema
 from rpg.ir.walk import names
 from rpg.language import lexicon
-from rpg.language.grammar.rows.vocabulary import COLOR, PATCH
+from rpg.language.grammar.rows.vocabulary import COLOR, PATCH, PATCHES
 from rpg.language.tokens import Token
 from rpg.passes.schema.resolve.things.world import refuse
 
@@ -19,6 +19,13 @@ _LISTED = re.compile(
 )
 
 
+_APPOSED = re.compile(
+    f"\\b{PATCHES} [,(:] (?:an?|one) {COLOR} (?:one|{PATCH})(?: , (?:an?|one) {COLOR} (?:one|{PATCH}))*(?: ,)? and "
+    f"(?:an?|one) {COLOR} one(?= [.,;)]|$)"
+)
+"""Behind the patches, of which so many are told."""
+
+
 def check_mats_listed(tokens: Sequence[Token], task: TaskSchema) -> None:
     """Refuse "put a white block on each mat, there are red, blue and green" as of blocks with which nothing is done.
 
@@ -26,6 +33,7 @@ def check_mats_listed(tokens: Sequence[Token], task: TaskSchema) -> None:
         Refusal: "ambiguous", where what is listed could be either.
     """
     text = " ".join(token.word.replace(" ", "_") for token in tokens)
+    _apposed(text, tokens, task)
     listed = _LISTED.search(text)
     if listed is None:
         return
@@ -36,6 +44,19 @@ def check_mats_listed(tokens: Sequence[Token], task: TaskSchema) -> None:
         raise refuse("ambiguous", "what is listed could be the patches or the blocks",
                      (tokens[begin].span[0], tokens[end].span[1]),
                      "say 'blocks' or 'patches' where they are listed")  # fmt: skip
+
+
+def _apposed(text: str, tokens: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "put one block on each of the two patches, a red one and a blue one" as of patches of other colours."""
+    listed = _APPOSED.search(text)
+    if listed is None:
+        return
+    begin, end = (text[:at].count(" ") for at in listed.span())
+    looks = {lexicon.COLOR[token.word] for token in tokens[begin : end + 1] if token.word in lexicon.COLOR}
+    if not looks <= {patch.color for patch in task.patches}:
+        raise refuse("ambiguous", "these could be the patches, or blocks", (tokens[begin].span[0], tokens[end].span[1]),
+                     "say 'the red patch and the blue patch', or what is said of the blocks in a sentence of its own",
+                     )  # fmt: skip
 
 
 _NOT_THE = re.compile(

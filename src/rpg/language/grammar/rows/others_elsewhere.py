@@ -35,6 +35,8 @@ def others_elsewhere(tokens: list[Token]) -> list[Token]:
     told = _TOLD.search(text)
     if told is None or not (told["others"] or told["ones"]) or told["like"] not in (None, told["color"]):
         return tokens
+    if not told["others"] and (told["ones"] or "").endswith("s"):
+        return tokens  # "the other blocks", of which it is not said how many they are
     total = number(told["many"]) + number(told["others"] or "1")
     there = [number(many) for many in _COUNTED.findall(text[: told.start()])]
     if (told["all"] and number(told["all"]) != total) or (not told["noun"] and (told["color"] or there != [total])):

@@ -41,7 +41,8 @@ def piles(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: 
         raise refuse("misplaced", "this says nothing of how they lie", shape.span, "say how they start")
     if scope.start and not several:
         names = members_of(shape, spec, theme, None, 4, scene, scope)
-        scene.heaps.append(names)
+        if names not in scene.heaps:  # "a pile of five blocks at the start. Goal: ...", told again as a heading has it
+            scene.heaps.append(names)
         for name in names:
             scene.things[name].declared = True
         return [scene.add_built("pile", names, False, shape.span)], []

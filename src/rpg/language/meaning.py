@@ -179,8 +179,7 @@ class PartOf(Meaning):
 class Loc(Meaning):
     """A relation to a landmark (`second`: the other end of "between"). Distances in metres.
 
-    `mods` among "directly", "immediate", "somewhere", "start" (where the episode finds it), "level" (of what stands on
-    the table there).
+    `mods` among "directly", "immediate", "somewhere", "start" (where the episode finds it), "level" (on the table).
     """
 
     rel: str

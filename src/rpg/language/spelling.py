@@ -42,37 +42,9 @@ _THINGS = (lexicon.STRUCTURE, lexicon.BLOCK, lexicon.PATCH, lexicon.LETTER, lexi
 _WITH = frozenset({"with", "using", "from", "in", ".", "!", ",", "please"})
 _SPELT = frozenset({"spelled", "spelt", "written"})
 _WORD_LEADS = frozenset({"word", "name"})
-_NOT_LITERAL = frozenset(
-    {
-        "a",
-        "an",
-        "the",
-        "out",
-        "word",
-        "words",
-        "some",
-        "any",
-        "it",
-        "with",
-        "using",
-        "from",
-        "by",
-        "something",
-        "my",
-        "your",
-        "in",
-        "on",
-        "across",
-        "down",
-        "that",
-        "these",
-        "this",
-        "those",
-        "again",
-        "backwards",
-        "backward",
-    }
-)
+_NOT_LITERAL = frozenset({"a", "an", "the", "out", "word", "words", "some", "any", "it", "with", "using", "from",
+                          "by", "something", "my", "your", "in", "on", "across", "down", "that", "these", "this",
+                          "those", "again", "backwards", "backward"})  # fmt: skip
 
 
 SHORT_FORMS = {

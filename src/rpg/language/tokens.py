@@ -265,10 +265,8 @@ def _word(raw: str, span: Span) -> list[Token]:
         stem, tail = lower.split("'", 1)
         if tail == "s":
             middle = span[0] + len(stem)
-            return [
-                Token("word", stem, raw[: len(stem)], (span[0], middle)),
-                Token("punct", "'s", raw[len(stem) :], (middle, span[1])),
-            ]
+            owner = Token("word", stem, raw[: len(stem)], (span[0], middle))
+            return [owner, Token("punct", "'s", raw[len(stem) :], (middle, span[1]))]
     return [Token("word", AMERICAN.get(lower, lower), raw, span)]
 
 
@@ -305,14 +303,7 @@ def _ordinals(tokens: list[Token]) -> list[Token]:
             out.append(replace(token, kind="sign", word="*"))
         elif token.raw == "×" and _times(before, token, after):
             out.append(replace(token, kind="word", word="x"))
-        elif (
-            token.word == "-"
-            and before
-            and after
-            and token.span[0] > before.span[1]
-            and after.span[0] > token.span[1]
-            and not _listed_sign(out, tokens[index + 1 : index + 3])
-        ):
+        elif before and after and _dashes(before, token, after, out, tokens[index + 1 : index + 3]):
             out.append(replace(token, kind="punct", word=","))
         else:
             out.append(token)
@@ -324,6 +315,12 @@ _LEADING = frozenset({
     "take", "want", "move", "set", "lay", "stack", "bring", "add",
 })  # fmt: skip
 """Behind these "one B" is a cube that shows it; "the red one B" is none."""
+
+
+def _dashes(before: Token, sign: Token, after: Token, out: list[Token], behind: list[Token]) -> bool:
+    """Whether a minus stands between words as a dash does."""
+    apart = sign.span[0] > before.span[1] and after.span[0] > sign.span[1]
+    return sign.word == "-" and apart and not _listed_sign(out, behind)
 
 
 def _listed_sign(before: list[Token], after: list[Token]) -> bool:

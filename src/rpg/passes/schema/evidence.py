@@ -47,30 +47,18 @@ STATES = frozenset({"is", "are", "stays", "stay", "remains", "remain", "lies", "
 PRONOUNS = "AI"
 OPEN = "NK"
 """Letters for a number that is left open: "N blocks"."""
-_PLAIN = {
-    "alphabet alphabetic alphabetical alphabetically alphabetized": "label number",
-    "alternate alternates alternating alternately alternatingly": "alternating checkerboard given",
-    "ascending descending increasing decreasing": "number size label staircase",
-    "checkerboard chessboard": "checkerboard",
-    "circle ring": "circle",
-    "column": "x grid staircase",
-    "columns rows": "row grid staircase spells checkerboard towers figure",
-    "equation": "equation",
-    "evenly": "evenly spacing count",
-    "grid wall": "grid",
-    "groups": "group_by towers",
-    "heap": "heaps group_by",
-    "mirror mirrored symmetric symmetrical symmetrically palindrome": "mirrored given",
-    "neither nor": "not count stayed turned empty clear on_table",
-    "pyramid": "pyramid",
-    "rainbow": "rainbow",
-    "row": "row grid spells equation checkerboard pyramid",
-    "staircase stairs": "staircase",
-    "swap swapped exchange": "swapped",
-    "tower towers stacks": "stack towers on above grid pyramid",
-    "triangle": "triangle",
-    "upside": "facing stack figure",
-}
+_PLAIN = {"alphabet alphabetic alphabetical alphabetically alphabetized": "label number",
+          "alternate alternates alternating alternately alternatingly": "alternating checkerboard given",
+          "ascending descending increasing decreasing": "number size label staircase",
+          "checkerboard chessboard": "checkerboard", "circle ring": "circle", "column": "x grid staircase",
+          "columns rows": "row grid staircase spells checkerboard towers figure", "equation": "equation",
+          "evenly": "evenly spacing count", "grid wall": "grid", "groups": "group_by towers",
+          "heap": "heaps group_by",
+          "mirror mirrored symmetric symmetrical symmetrically palindrome": "mirrored given",
+          "neither nor": "not count stayed turned empty clear on_table", "pyramid": "pyramid", "rainbow": "rainbow",
+          "row": "row grid spells equation checkerboard pyramid", "staircase stairs": "staircase",
+          "swap swapped exchange": "swapped", "tower towers stacks": "stack towers on above grid pyramid",
+          "triangle": "triangle", "upside": "facing stack figure"}  # fmt: skip
 PLAIN = {word: frozenset(terms.split()) for words, terms in _PLAIN.items() for word in words.split()}
 """Words whose meaning depends on no other word, with the terms of a goal one of which they come to."""
 

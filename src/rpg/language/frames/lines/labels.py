@@ -23,25 +23,11 @@ from rpg.language.frames.lines.sentences import Row, in_words
 from rpg.language.frames.lots import LOTS, Lot, lot_of, one
 from rpg.language.frames.pieces import Pattern, Piece, Unclear, number
 
-PATTERNS: list[Pattern] = [
-    *APPENDED,
-    *labelwords.LABELS,
-    *labelgroups.GROUPS,
-    *labelwords.KINDS,
-    *labelwords.SORTED,
-    *labelwords.RELATIONS,
-    *labelwords.WORDS,
-    *(pattern for pattern in LOTS if pattern.kind == "lot"),
-    *rowwords.FIGURE,
-    *rowwords.PLACES,
-    *rowwords.DIRECTIONS,
-    *rowparts.SPACING,
-    *rowparts.WHERE,
-    *rowparts.WORDS,
-    *shared.WHERE,
-    *shared.BREAKS,
-    *shared.GLUE,
-]
+PATTERNS: list[Pattern] = [*APPENDED, *labelwords.LABELS, *labelgroups.GROUPS, *labelwords.KINDS, *labelwords.SORTED,
+                           *labelwords.RELATIONS, *labelwords.WORDS,
+                           *(pattern for pattern in LOTS if pattern.kind == "lot"), *rowwords.FIGURE,
+                           *rowwords.PLACES, *rowwords.DIRECTIONS, *rowparts.SPACING, *rowparts.WHERE,
+                           *rowparts.WORDS, *shared.WHERE, *shared.BREAKS, *shared.GLUE]  # fmt: skip
 
 
 def told(pieces: Sequence[Piece]) -> str:

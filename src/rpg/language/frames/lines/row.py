@@ -21,32 +21,19 @@ from rpg.language.frames.lots import LOTS, Lot, lot_of, one
 from rpg.language.frames.pieces import Pattern, Piece, Unclear, patterns
 from rpg.language.lexicon import RAINBOW
 
-PATTERNS: list[Pattern] = [
-    *LOTS,
-    *patterns("total", lambda match: int(match["n"]), r"of (?P<n>\d+)(?= (?:[,.;:(!]|with|where|that|in|from|"
-        r"alternat\w+|touching|evenly|which|on|the) )", r"of (?P<n>\d+)(?! [a-zA-Z0-9])",
-        r"(?:with )?(?:a )?length (?:of )?(?P<n>\d+)(?: BLOCK)?", r"(?P<n>\d+)(?: BLOCK)? long", r"(?P<n>\d+) in "
-        r"number", r"(?P<n>\d+)(?= (?:in|on|make|making|form|forming) (?:a|one) )",
-        r"(?:quantity|count|amount|number)(?: (?:BE|of|:))? (?P<n>\d+)(?= (?:[,.;)]|$))",
-        r"(?P<n>\d+)(?: BLOCK)?(?= (?:row|line|column) )"),
-    *APPENDED,
-    *rowparts.OF_THEM,
-    *rowsizes.SIZED,
-    *rowplainer.PLACES,
-    *rowplainer.BEFORE,
-    *rowwords.FIGURE,
-    *rowwords.PLACES,
-    *rowwords.DIRECTIONS,
-    *rowparts.SPACING,
-    *rowparts.PATTERNED,
-    *rowparts.EACH,
-    *rowparts.REST,
-    *rowparts.WHERE,
-    *rowparts.WORDS,
-    *shared.WHERE,
-    *shared.BREAKS,
-    *shared.GLUE,
-]  # fmt: skip
+PATTERNS: list[Pattern] = [*LOTS,
+                           *patterns("total", lambda match: int(match["n"]),
+                                     r"of (?P<n>\d+)(?= (?:[,.;:(!]|with|where|that|in|from|"
+                                     r"alternat\w+|touching|evenly|which|on|the) )", r"of (?P<n>\d+)(?! [a-zA-Z0-9])",
+                                     r"(?:with )?(?:a )?length (?:of )?(?P<n>\d+)(?: BLOCK)?",
+                                     r"(?P<n>\d+)(?: BLOCK)? long", r"(?P<n>\d+) in " r"number",
+                                     r"(?P<n>\d+)(?= (?:in|on|make|making|form|forming) (?:a|one) )",
+                                     r"(?:quantity|count|amount|number)(?: (?:BE|of|:))? (?P<n>\d+)(?= (?:[,.;)]|$))",
+                                     r"(?P<n>\d+)(?: BLOCK)?(?= (?:row|line|column) )"), *APPENDED, *rowparts.OF_THEM,
+                           *rowsizes.SIZED, *rowplainer.PLACES, *rowplainer.BEFORE, *rowwords.FIGURE,
+                           *rowwords.PLACES, *rowwords.DIRECTIONS, *rowparts.SPACING, *rowparts.PATTERNED,
+                           *rowparts.EACH, *rowparts.REST, *rowparts.WHERE, *rowparts.WORDS, *shared.WHERE,
+                           *shared.BREAKS, *shared.GLUE]  # fmt: skip
 
 
 def told(pieces: Sequence[Piece]) -> str:
@@ -192,13 +179,9 @@ def noun_of(pieces: Sequence[Piece], *, sorts: bool = False) -> str:
         raise Unclear
     stock = [n for n, piece in enumerate(pieces) if piece.kind == "stock"]
     figure = next(n for n, piece in enumerate(pieces) if piece.kind in ("figure", "mention", "direction"))
-    if stock and (
-        len(stock) > 1
-        or not any(
-            piece.kind == "break" and piece.words in ".;:,and"
-            for piece in pieces[min(stock[0], figure) : max(stock[0], figure)]
-        )
-    ):
+    between = pieces[min(stock[0], figure) : max(stock[0], figure)] if stock else []
+    parted = any(piece.kind == "break" and piece.words in ".;:,and" for piece in between)
+    if stock and (len(stock) > 1 or not parted):
         raise Unclear  # "there are three blocks in a row" tells of the start
     if not nouns and any(piece.kind == "mention" and after.words.startswith("of") for piece, after in pairwise(pieces)):
         raise Unclear  # "the row of red blocks" is there already

@@ -39,11 +39,8 @@ def told(pieces: Sequence[Piece]) -> str:
     Raises:
         Unclear: it is not told what they are made of, or how high they are.
     """
-    named = [
-        piece
-        for piece in pieces
-        if piece.kind in ("figure", "figures", "tinted", "each", "slot", "basis", "whole", "alone")
-    ]
+    kinds_named = ("figure", "figures", "tinted", "each", "slot", "basis", "whole", "alone")
+    named = [piece for piece in pieces if piece.kind in kinds_named]
     if pieces[0].words in ("is", "are", "there are", "there is") or not any(
         _NAMED.search(piece.words) for piece in named
     ):

@@ -8,7 +8,7 @@ from rpg.language.grammar.clauses.may_be_so import may_be_so
 from rpg.language.grammar.clauses.nowhere import not_there
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.absolutes import absolute
-from rpg.language.grammar.places.held import BORNE, held, of_the_mark
+from rpg.language.grammar.places.held import BORNE, held, of_the_mark, of_the_second
 from rpg.language.grammar.places.offsets import offset
 from rpg.language.grammar.places.onto import piled_up
 from rpg.language.grammar.places.relations import loc
@@ -154,7 +154,7 @@ def adjuncts(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
         for rest, k in adjuncts(p, j):
             if _later(first) and any(isinstance(a, Loc | In) for a in rest):
                 continue
-            if rest and _of_the_second(p, j, first, rest[0]):
+            if rest and of_the_second(p, j, first, rest[0]):
                 continue
             if rest and (lying := held(p, j, first, rest[0])) is not None:
                 rest = (lying, *rest[1:])
@@ -198,22 +198,6 @@ def _opposed(first: Meaning, second: Meaning) -> bool:
 def _side_after(first: Meaning, second: Meaning) -> bool:
     """A side right after "with ... beside it" belongs to that, not to the clause."""
     return isinstance(first, Absolute) and isinstance(second, At) and isinstance(first.adjuncts[0], Loc)
-
-
-def _of_the_second(p: Parser, j: int, first: Meaning, second: Meaning) -> bool:
-    """ "A left of B and C right of D": two blocks, and right behind them where it stands to a third one: that is said
-    of the second of them, which begins a clause."""
-    if not (isinstance(first, Loc) and isinstance(second, Loc)) or p.words[j] in (",", "and"):
-        return False
-    mark, other = first.landmark, second.landmark
-    begin = next(n for n in range(j) if p.tokens[n].span[0] == first.span[0])
-    of_two = first.rel == "between" or "both" in p.words[begin:j]
-    if of_two or not isinstance(other, Noun) or other.head == "patch":
-        return False
-    if isinstance(mark, Coord):
-        last = mark.items[-1]
-        return mark.op == "and" and len(mark.items) == 2 and isinstance(last, Noun) and not last.plural
-    return isinstance(mark, Noun) and len(mark.traits.labels) == 2 and p.words[j - 2] == "and"
 
 
 def _next_clause(first: Meaning, second: Meaning) -> bool:

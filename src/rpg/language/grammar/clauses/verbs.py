@@ -52,13 +52,11 @@ from rpg.language.meaning import (
     replace,
 )
 
-_PARTICLES = {
-    "place": ("up", "out", "down", "together", "over", "back"), "pick": ("up", "out", "off", "away"),
-    "build": ("up", "out", "together"), "stack": ("up", "together"), "unstack": ("down", "apart"),
-    "arrange": ("up", "out", "together", "apart"), "sort": ("up", "out", "together"),
-    "swap": ("over", "around", "round"),
-    "turn": ("over", "around", "up", "down"), "keep": ("up", "down", "together", "over", "around", "apart", "back"),
-}  # fmt: skip
+_PARTICLES = {"place": ("up", "out", "down", "together", "over", "back"), "pick": ("up", "out", "off", "away"),
+              "build": ("up", "out", "together"), "stack": ("up", "together"), "unstack": ("down", "apart"),
+              "arrange": ("up", "out", "together", "apart"), "sort": ("up", "out", "together"),
+              "swap": ("over", "around", "round"), "turn": ("over", "around", "up", "down"),
+              "keep": ("up", "down", "together", "over", "around", "apart", "back")}  # fmt: skip
 """What may follow a verb without changing what it says."""
 PARTICLES = ("up", "out", "down", "together", "over", "around", "apart", "back", "off", "away", "aside")
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser
 from rpg.language.grammar.places.borne import BEARING
-from rpg.language.meaning import Absolute, Amount, At, Clause, Loc, Meaning, Noun, Pronoun, replace
+from rpg.language.meaning import Absolute, Amount, At, Clause, Coord, Loc, Meaning, Noun, Pronoun, replace
 
 SIDES = frozenset({"left", "right", "front", "behind", "beside", "adjacent", "near", "touching"})
 _THAT = frozenset({"that", "which"})
@@ -51,6 +51,22 @@ def held(p: Parser, j: int, first: Meaning, second: Meaning) -> Absolute | None:
     if not there or not isinstance(place, Loc) or not isinstance(place.landmark, Pronoun):
         return None
     return replace(second, adjuncts=(replace(place, landmark=it),)) if place.landmark.word == "it" else None
+
+
+def of_the_second(p: Parser, j: int, first: Meaning, second: Meaning) -> bool:
+    """ "A left of B and C right of D": two blocks, and right behind them where it stands to a third one: that is said
+    of the second of them, which begins a clause."""
+    if not (isinstance(first, Loc) and isinstance(second, Loc)) or p.words[j] in (",", "and"):
+        return False
+    mark, other = first.landmark, second.landmark
+    begin = next(n for n in range(j) if p.tokens[n].span[0] == first.span[0])
+    of_two = first.rel == "between" or "both" in p.words[begin:j]
+    if of_two or not isinstance(other, Noun) or other.head == "patch":
+        return False
+    if isinstance(mark, Coord):
+        last = mark.items[-1]
+        return mark.op == "and" and len(mark.items) == 2 and isinstance(last, Noun) and not last.plural
+    return isinstance(mark, Noun) and len(mark.traits.labels) == 2 and p.words[j - 2] == "and"
 
 
 def of_the_mark(p: Parser, j: int, first: Meaning, second: Meaning) -> bool:

@@ -122,8 +122,8 @@ def without_asides(tokens: list[Token]) -> list[Token]:
 
 _WAYS = frozenset({
     "left", "right", "front", "back", "far", "near", "up", "down", "upright", "upside", "towards", "toward", "away",
-    "pointing", "points", "turned", "rotated", "facing", "direction", "orientation", "open", "opening", "beside",
-        "next",
+    "pointing", "points", "turned", "rotated", "facing", "direction", "orientation", "open", "opening", "next",
+    "beside",
 })  # fmt: skip
 
 
@@ -212,10 +212,8 @@ def _chosen(words: list[str], at: int, end: int) -> bool:
 
 
 _TAGS = tuple(
-    f"{may} you{dear}"
-    for may in ("would", "will", "could", "can")
-    for dear in ("", " dear", " love", " please", " mate")
-)
+    f"{may} you{dear}" for may in ("would", "will", "could", "can")
+    for dear in ("", " dear", " love", " please", " mate"))  # fmt: skip
 """What carries nothing behind a command, set off by commas: ", would you, "."""
 
 
@@ -308,11 +306,8 @@ _BUILT = ("finished", "completed", "resulting", "finalized", "low")
 _AT_ONCE = ("at the same time", "in the same time", "at same time", "in same time", "simultaneously")
 """What carries nothing where nothing is denied: all that is asked for holds in the end."""
 _DO_THIS = tuple(
-    f"{who} {want} you to do {this} :"
-    for who in ("i", "we")
-    for want in ("want", "need", "would like", "ask")
-    for this in ("this", "the following")
-)
+    f"{who} {want} you to do {this} :" for who in ("i", "we") for want in ("want", "need", "would like", "ask")
+    for this in ("this", "the following"))  # fmt: skip
 """What carries nothing in front of a command."""
 _AT_ALL = ("at all", "whatsoever", "though")
 _FILLERS = ("like", "sort of", "kind of", "i think", "i believe")

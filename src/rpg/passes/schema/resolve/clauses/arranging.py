@@ -341,12 +341,8 @@ def _stacked(theme: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span, hea
         names = (*base, *names)
         ranks = order.ranks if order.by == "given" else ((theme.names),)
         if order.by not in ("any", "given") or order.first == "top":
-            raise refuse(
-                "ambiguous",
-                "an order of part of a tower is not understood here",
-                span,
-                "name every block from the bottom up",
-            )
+            raise refuse("ambiguous", "an order of part of a tower is not understood here", span,
+                         "name every block from the bottom up")  # fmt: skip
         order = Order(by="given", ranks=(*((b,) for b in base), *ranks), first="bottom")
     exact = theme.op in ("except", "only")  # "all but the gray one": nor is that on top
     nodes = [

@@ -20,7 +20,6 @@ from rpg.language.meaning import (
     Pattern,
     Pronoun,
     Structure,
-    Traits,
     parts_of,
     replace,
 )
@@ -32,7 +31,7 @@ from rpg.passes.schema.resolve.orders.extremes import tells_an_end
 from rpg.passes.schema.resolve.places.mutual import reciprocal
 from rpg.passes.schema.resolve.places.patches import matching_patches
 from rpg.passes.schema.resolve.places.placing import Goals, places
-from rpg.passes.schema.resolve.structures.grouped import equal, group_size
+from rpg.passes.schema.resolve.structures.grouped import equal, group_size, whichever_they_are
 from rpg.passes.schema.resolve.structures.groups import (
     DEFAULT_EACH,
     DEFAULT_GROUPS,
@@ -81,15 +80,15 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if isinstance(theme_meaning, Structure):
         return shaped(clause, spec, scene, scope)
     if any(o.by == "each" and o.items for o in spec.orders):
-        groups = Structure(kind="pile", plural=True, span=clause.span)
-        spec.intos = spec.intos or [Into(structure=groups, span=clause.span)]
-        if _whichever(theme_meaning, scene) and len(spec.intos) == 1:
+        groups = Into(structure=Structure(kind="pile", plural=True, span=clause.span), span=clause.span)
+        spec.intos = spec.intos or [groups]
+        if len(spec.intos) == 1 and whichever_they_are(theme_meaning, scene):
             return shaped(replace(clause, theme=spec.intos.pop().structure), spec, scene, scope)
     attribute = next((o.attribute for o in spec.orders if o.by == "attribute"), None)
-    need = 4 if line or ordered else SIDE if divides and (apart or spec.usings) else 6
     each = 1 if line or ordered else _lot(spec, scene)
+    few = SIDE if divides and (apart or spec.usings) else 6
+    need = 4 if line or ordered else few if each < 3 else DEFAULT_GROUPS * each
     _at_hand(theme_meaning, spec, scene)
-    need = need if each < 3 or line or ordered else DEFAULT_GROUPS * each
     theme = certain(refer(theme_meaning, scene, replace(scope, need=need, need_each=each)), scene)
     _check_repeated(theme, clause, spec, scene)
     theme, attribute = of_told_kinds(theme, attribute or _by_color(theme, spec, scene) or _of_each(spec), spec, scene)
@@ -124,12 +123,6 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     equal(built, spec)
     goals += _sides_of(built, spec, scene)
     return goals + places(replace(theme, built=tuple(built)), spec, scene, scope, clause.span)
-
-
-def _whichever(theme: Meaning, scene: Scene) -> bool:
-    """ "The blocks", of which nothing else is said: those that the groups are told to have."""
-    plain = isinstance(theme, Noun) and theme.amount is None and theme.traits == Traits() and theme.part_of is None
-    return (plain or isinstance(theme, Pronoun)) and not any(scene.blocks())
 
 
 def _one_for_each(spec: Spec) -> None:
@@ -231,10 +224,8 @@ def by_kinds(clause: Clause, spec: Spec) -> Clause:
 
 def _from_others(spec: Spec) -> bool:
     """ "sort the vowels from the consonants"."""
-    return any(x.lead == "from" for x in spec.usings) or any(
-        isinstance(x, Loc) and x.rel in ("apart", "off") and not x.negated and not _of_each_other(x)
-        for x in spec.places
-    )  # fmt: skip
+    apart = [x for x in spec.places if isinstance(x, Loc) and x.rel in ("apart", "off") and not x.negated]
+    return any(x.lead == "from" for x in spec.usings) or not all(map(_of_each_other, apart))
 
 
 _OPPOSITES = ({"vowel", "consonant"}, {"odd", "even"}, {"letter", "digit"}, {"big", "small"})

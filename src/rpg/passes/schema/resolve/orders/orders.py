@@ -77,7 +77,7 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
         spec.orders = [o for o in spec.orders if o.by != "mirrored"]
     if found.by == "any" and not spec.orders and spec.listed and (first or doubled(names, scene)):
         found = _merge(found, OrderBy(by="given", span=span), names, kind, scene, scope, first)
-    starts = all(place.side == "first" for item in spec.absolutes if (place := place_of(item)) is not None)
+    starts = all(place.side == "first" for place in map(place_of, spec.absolutes) if place is not None)
     inside = kind == "stack" or all(belongs(item.theme, names, scene) for item in spec.absolutes)
     spec.absolutes = onward(spec.absolutes) if inside else spec.absolutes
     placed = _placed(spec, names, kind, scene, first if starts else None)

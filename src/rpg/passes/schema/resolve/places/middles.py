@@ -1,7 +1,11 @@
-"""Of what "the middle" is that is told without it."""
+"""Of what "the middle" or "the front" is that is told without it."""
 
 from __future__ import annotations
 
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.ir import structures as s
+from rpg.ir.walk import atoms
 from rpg.ir.walk import names as names_in
 from rpg.language.meaning import At
 from rpg.passes.schema.resolve.orders.positions import SIDES
@@ -17,6 +21,22 @@ def of_a_line(ref: Ref, at_: At, scene: Scene) -> None:
         if b.kind in SIDES and ((begun and (inside or b.kind != "stack")) or (further and b.kind == "stack")):
             raise refuse("ambiguous", f"this could be the middle of the {b.kind} or of the table", at_.span,
                          "say 'of the table', or name the blocks in the order that they should have")  # fmt: skip
+
+
+def of_a_word(ref: Ref, at_: At, scene: Scene) -> None:
+    """Refuse "the letters spell EAT. Move the T to the front": of the word, or of the table?"""
+    begun = [a for fact in scene.start_goals for a in atoms(fact) if isinstance(a, s.Spells)]
+    if any({*ref.names} < {*word.blocks} for word in begun):
+        raise refuse("ambiguous", "this could be a side of the table or an end of the word", at_.span,
+                     "say 'of the table', or spell the other word")  # fmt: skip
+
+
+def related_to(ref: Ref, goal: g.Goal, scene: Scene) -> bool:
+    """Whether it is told on which side of another some block is, or that this one is close to another."""
+    told = [*atoms(goal), *(a for fact in scene.start_goals for a in atoms(fact))]
+    close = r.Between | r.Beside | r.Adjacent | r.Touching
+    sides = r.LeftOf | r.RightOf | r.InFrontOf | r.Behind
+    return any(isinstance(a, sides) or (isinstance(a, close) and {*ref.names} & {*names_in(a)}) for a in told)
 
 
 def beside_another(ats: list[At], scene: Scene) -> bool:

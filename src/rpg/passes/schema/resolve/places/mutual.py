@@ -120,11 +120,9 @@ def _whose_side(spec: Spec) -> None:
                          "say it of one of the two in a sentence of its own")  # fmt: skip
 
 
-ALL_OTHERS = {
-    **dict.fromkeys(("the others", "all the others", "all others", "the other ones", "all the rest", "the rest"), None),
-    **dict.fromkeys(("the other", "the other one"), 1),
-    "the other two": 2,
-}
+ALL_OTHERS = {**dict.fromkeys(("the others", "all the others", "all others", "the other ones", "all the rest",
+                               "the rest"), None), **dict.fromkeys(("the other", "the other one"), 1),
+              "the other two": 2}  # fmt: skip
 """What stands for all others of the blocks that something is said of, and how many that are if it is said."""
 COMPARED = frozenset({"closer", "farther", "as_far", "closest", "farthest"})
 """Places that are told by two distances."""
@@ -164,9 +162,8 @@ def _alone(ref: Ref, spec: Spec) -> None:
 
 def _said_of(mark: Meaning, spec: Spec) -> None:
     """What is said "to each other" is said of this one."""
-    beside = {"side_by_side": "beside"}
     spec.places = [
-        replace(p, landmark=mark, rel=beside.get(p.rel, p.rel), mods=(*p.mods, "level"))
+        replace(p, landmark=mark, rel="beside" if p.rel == "side_by_side" else p.rel, mods=(*p.mods, "level"))
         if isinstance(p, Loc) and _mutual(p)
         else p
         for p in spec.places
@@ -359,10 +356,8 @@ def _distances(theme: Ref, units: list[Operand], loc: Loc, span: Span) -> Atoms:
         options: dict[str, Any] = {"minimum": loc.low, "maximum": loc.high, "measure": loc.measure}
         return [r.Distance(a=a, b=b, span=span, **options) for a, b in combinations(units, 2)]
     key = "gap" if loc.measure == "faces" else "spacing"
-    spaced: dict[str, Any] = {
-        key: round((loc.low + loc.high) / 2, 6),
-        "tolerance": round((loc.high - loc.low) / 2, 6),
-    }
+    spaced: dict[str, Any] = {key: round((loc.low + loc.high) / 2, 6),
+                              "tolerance": round((loc.high - loc.low) / 2, 6)}  # fmt: skip
     return [s.Row(blocks=theme.names, span=span, **spaced)]
 
 

@@ -240,13 +240,8 @@ def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
     if loc.rel in ("between", "sandwiched", "flank"):
         theme = only_between(theme, mark, loc, scene) if theme.op == "only" else theme
         return [(flanked if loc.rel == "flank" else between)(theme, mark, loc, scene, span)]
-    if (
-        theme.quant is not None
-        and theme.quant.high == 0
-        and theme.everything
-        and loc.rel in ("on", "above")
-        and not mark.patch
-    ):
+    none = theme.everything and theme.quant is not None and theme.quant.high == 0
+    if none and loc.rel in ("on", "above") and not mark.patch:
         return [r.Clear(a=crown(mark), span=span)]
     if theme.everything and theme.quant and mark.patch and not mark.matching and loc.rel in ("on", "above", "in"):
         return [r.Empty(patch=p, span=span) for p in mark.names]
@@ -344,12 +339,9 @@ def _relate(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal
     together = bool(theme.built) and not (len(theme.built) == 1 and theme.built[0].kind == "stack")
     b = carrier(foot(mark), scene, level=True) if "level" in loc.mods else foot(mark)
     if loc.rel == "distance":
-        return spread(
-            theme,
-            lambda a: r.Distance(a=a, b=b, minimum=loc.low, maximum=loc.high, measure=measure(loc), span=span),
-            span,
-            together,
-        )
+        return spread(theme,
+                      lambda a: r.Distance(a=a, b=b, minimum=loc.low, maximum=loc.high, measure=measure(loc),
+                                           span=span), span, together)  # fmt: skip
     if loc.rel in LEVEL:
         node = LEVEL[loc.rel]
         if loc.rel == "beside" and "immediate" in loc.mods:
@@ -376,10 +368,8 @@ def _relate(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal
 def _directional(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
     node = DIRECTIONS[loc.rel]
     b = foot(mark)
-    flags: dict[str, Any] = {
-        "directly": bool({"directly", "immediate"} & set(loc.mods)), "immediate": "immediate" in loc.mods,
-        "somewhere": "somewhere" in loc.mods,
-    }  # fmt: skip
+    flags: dict[str, Any] = {"directly": bool({"directly", "immediate"} & set(loc.mods)),
+                             "immediate": "immediate" in loc.mods, "somewhere": "somewhere" in loc.mods}  # fmt: skip
     if theme.quant is not None or theme.op in ("or", "xor", "except") or theme.mixed:
 
         def far(a: Operand) -> g.Goal:

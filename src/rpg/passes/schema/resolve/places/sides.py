@@ -22,7 +22,7 @@ from rpg.passes.schema.resolve.places.across_the_table import REGION, across_the
 from rpg.passes.schema.resolve.places.either_end import at_an_end, each_at_its_end, one_of_them
 from rpg.passes.schema.resolve.places.in_each_way import settled, ways_of
 from rpg.passes.schema.resolve.places.in_words import check_word
-from rpg.passes.schema.resolve.places.middles import of_a_line
+from rpg.passes.schema.resolve.places.middles import of_a_line, of_a_word, related_to
 from rpg.passes.schema.resolve.places.of_themselves import check_between, of_themselves, with_the_one_between
 from rpg.passes.schema.resolve.places.utmost import BEYOND, beyond_others, not_beyond_others
 from rpg.passes.schema.resolve.structures.structures import either, stack_built
@@ -200,10 +200,6 @@ def _of_what(item: Loose, goal: g.Goal, scene: Scene) -> None:
         what = "equation" if isinstance(own, s.Equation) else "groups"
         raise refuse("ambiguous", f"this could be a side of the table or of the {what}", at_.span,
                      "say 'half of the table', or of what")  # fmt: skip
-    begun = [a for fact in scene.start_goals for a in atoms(fact) if isinstance(a, s.Spells)]
-    if any(set(ref.names) < {*word.blocks} for word in begun):
-        raise refuse("ambiguous", "this could be a side of the table or an end of the word", at_.span,
-                     "say 'of the table', or spell the other word")  # fmt: skip
     for b in scene.built:
         if b.kind not in (*SIDES, "pile", "towers", "word", "equation") and set(ref.names) < set(b.members):
             raise refuse("ambiguous", f"this could be a side of the table or of the {b.kind}", at_.span, "say of what")
@@ -215,6 +211,7 @@ def _of_what(item: Loose, goal: g.Goal, scene: Scene) -> None:
             "ambiguous", "this could be the middle of the table or of the figure", at_.span, "say 'of the table'"
         )
     of_a_line(ref, at_, scene)
+    of_a_word(ref, at_, scene)
     line = next((b for b in scene.built if b.kind in SIDES and not {*b.members} <= {*ref.names}), None)
     if line is not None and ref.built and at_.side != "middle":
         raise refuse("ambiguous", f"this could be a side of the table or of the {line.kind}", at_.span,
@@ -225,20 +222,17 @@ def _of_what(item: Loose, goal: g.Goal, scene: Scene) -> None:
             f"say 'of the table', or name the block among those of the {line.kind}",
         )  # fmt: skip
     beside = r.LeftOf | r.RightOf | r.InFrontOf | r.Behind
-    related = any(
-        isinstance(a, beside) or (isinstance(a, r.Between | r.Beside | r.Adjacent | r.Touching) and _about(a, ref))
-        for a in (*atoms(goal), *(a for fact in scene.start_goals for a in atoms(fact)))
-    )
+    related = related_to(ref, goal, scene)
     if at_.side != "middle" and related:
         raise refuse("ambiguous", "this could be a side of the table or of a block", at_.span,
                      "say 'half of the table', or of what")  # fmt: skip
     if any(isinstance(a, s.Row) and not set(ref.names) & set(a.blocks) for a in atoms(goal)):
         raise refuse("ambiguous", "this could be a place on the table or in the line", at_.span,
                      "say 'of the table', or name the block among those of the line")  # fmt: skip
-    close = [a for a in atoms(goal) if isinstance(a, r.Beside | r.Adjacent | r.Touching | r.Distance)]
+    near = [a for a in atoms(goal) if isinstance(a, r.Beside | r.Adjacent | r.Touching | r.Distance)]
     its = _said_first(item, [a for a in atoms(goal) if isinstance(a, beside)])
     among = at_.side == "middle" and not its and any(isinstance(a, beside | r.Near | r.Apart) for a in atoms(goal))
-    if any(at_.side == "middle" or set(ref.names) & {*members(a.a), *members(a.b)} for a in close) or among:
+    if any(at_.side == "middle" or set(ref.names) & {*members(a.a), *members(a.b)} for a in near) or among:
         raise refuse("ambiguous", "this could be a side of the table or of the other block", at_.span,
                      "say 'of the table', or of what")  # fmt: skip
     patched = [a for a in atoms(goal) if isinstance(a, r.OnPatch)]

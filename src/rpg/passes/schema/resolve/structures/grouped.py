@@ -17,6 +17,7 @@ from rpg.language.meaning import (
     Noun,
     OrderBy,
     Places,
+    Pronoun,
     Structure,
     Traits,
     replace,
@@ -37,6 +38,12 @@ def group_size(shape: Structure) -> int | None:
     if amount is not None and amount.low == amount.high:
         return int(amount.low)
     return shape.extent("size", "columns")
+
+
+def whichever_they_are(theme: Meaning, scene: Scene) -> bool:
+    """ "Group the blocks so that each group has ...": "the blocks", of which nothing else is said."""
+    the_blocks = Noun(head="block", det="the", plural=True, span=theme.span)
+    return (isinstance(theme, Pronoun) or theme == the_blocks) and not any(scene.blocks())
 
 
 def equal(built: list[Built], spec: Spec) -> None:

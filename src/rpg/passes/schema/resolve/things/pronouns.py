@@ -346,14 +346,8 @@ def others(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
         made = [create(noun.traits, scene, patch) for _ in range(count or (2 if noun.plural else 1))]
         left = made
     elif count is not None and len(left) != count:
-        raise refuse(
-            "count-mismatch",
-            f"{count} others are spoken of, but {len(left)} are left",
-            noun.span,
-            f"say {len(left)}",
-            asked=count,
-            there=len(left),
-        )
+        raise refuse("count-mismatch", f"{count} others are spoken of, but {len(left)} are left", noun.span,
+                     f"say {len(left)}", asked=count, there=len(left))  # fmt: skip
     elif not noun.plural and count in (None, 1) and len(left) > 1:
         if noun.head != "any" or noun.traits.colors:
             raise refuse(

@@ -67,7 +67,7 @@ IN_CONVERSATION: tuple[Turn, ...] = (
     (f"^(?:say|suppose|let us say|assume|imagine)(?: that)? (?:you|we|i|there) (?:have|are|is|had|were) ({MANY} .+)$",
      "there are {1}"),
     (f"^(?:can|could) (?:it|you|he|she|{_AGENT}|we) (?:do|manage|handle|pull off) ((?:an?|\\d+x\\d+(?:x\\d+)?|{MANY}) "
-     f".*?\\b(?:{_FIGURE})\\b.*)$", "build {{1}}"),
+     f".*?\\b(?:{_FIGURE})\\b.*)$", "build {1}"),
     (f"^((?:an?|one) (?:{_FIGURE}) of [^,]+?) will do(?: nicely| fine| just fine)?$", "build {1}"),
     ("^at the end of (?:the|this|an?|each|every) (?:\\w+ ){0,3}?(?:exercise|session|lesson|task|game|round|activity) "
      "(?:,"

@@ -25,7 +25,7 @@ _NAME = (
 
 WISHED_ALOUD: tuple[Turn, ...] = (
     *((f"^{_NOW}(?:we|i) (?:are|am){_JUST} {doing} {_THING}", f"{do} ") for doing, do in _DOING.items()),
-    (f"^(?:please )?(?:(?:can|could|will|would) (?:you|the robot|somebody|someone)(?: please)? )?help {_WHOM} "
+    (f"^(?:please )?(?:can|could|will|would) (?:you|the robot|somebody|someone)(?: please)? help {_WHOM} "
      f"(?:to |with |in )?(?={_DO} )", ""),
     (f"^(.*\\b(?:have|got|are) (?:these |those |the )?{MANY} (?:\\w+ )?(?:blocks|cubes|bricks|letters|digits)) right ,",
      "{1} ,"),

@@ -106,11 +106,7 @@ def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope
         moved_from(theme, spec, scene, scope, span)
     if verb == "stack":
         separately(spec, scene)
-        spec.intos = [
-            i
-            for i in spec.intos
-            if not (isinstance(i.structure, Structure) and i.structure.kind == "pile" and not i.structure.plural)
-        ]
+        spec.intos = [i for i in spec.intos if not _is_a_pile(i.structure)]
     if not spec.intos and ((spec.ats and verb == "be") or (spec.places and verb in ("be", "place"))):
         spec.orders = [o for o in spec.orders if o.by != "any"]
     heaped = [p for p in spec.places if isinstance(p, Loc) and p.rel == "heaped"]
@@ -159,6 +155,10 @@ def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope
     if spec.absolutes:
         goals += absolutes(ref, spec, scene, scope)
     return goals
+
+
+def _is_a_pile(structure: Meaning) -> bool:
+    return isinstance(structure, Structure) and structure.kind == "pile" and not structure.plural
 
 
 def _not_on_each_other(theme: Ref, verb: str, heaped: list[Loc], spec: Spec, scene: Scene, span: Span) -> Goals | None:

@@ -12,7 +12,6 @@ from rpg.language.meaning import (
     Clause,
     Coord,
     In,
-    Into,
     Loc,
     Meaning,
     Noun,
@@ -31,7 +30,7 @@ from rpg.passes.schema.resolve.orders.extremes import tells_an_end
 from rpg.passes.schema.resolve.places.mutual import reciprocal
 from rpg.passes.schema.resolve.places.patches import matching_patches
 from rpg.passes.schema.resolve.places.placing import Goals, places
-from rpg.passes.schema.resolve.structures.grouped import equal, group_size, whichever_they_are
+from rpg.passes.schema.resolve.structures.grouped import as_groups, equal, group_size
 from rpg.passes.schema.resolve.structures.groups import (
     DEFAULT_EACH,
     DEFAULT_GROUPS,
@@ -77,13 +76,8 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if clause.lemma in UNITES and any(isinstance(x, Structure) and x.det != "these" for x in parts_of(theme_meaning)):
         raise refuse("ambiguous", "these are structures of the start or of the end", theme_meaning.span,
                      "say what there is at the start, then what to build")  # fmt: skip
-    if isinstance(theme_meaning, Structure):
-        return shaped(clause, spec, scene, scope)
-    if any(o.by == "each" and o.items for o in spec.orders):
-        groups = Into(structure=Structure(kind="pile", plural=True, span=clause.span), span=clause.span)
-        spec.intos = spec.intos or [groups]
-        if len(spec.intos) == 1 and whichever_they_are(theme_meaning, scene):
-            return shaped(replace(clause, theme=spec.intos.pop().structure), spec, scene, scope)
+    if (of_groups := as_groups(clause, theme_meaning, spec, scene)) is not None:
+        return shaped(of_groups, spec, scene, scope)
     attribute = next((o.attribute for o in spec.orders if o.by == "attribute"), None)
     each = 1 if line or ordered else _lot(spec, scene)
     few = SIDE if divides and (apart or spec.usings) else 6

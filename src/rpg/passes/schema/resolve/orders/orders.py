@@ -38,9 +38,7 @@ def implied_kind(spec: Spec) -> str | None:
 def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope: Scope, span: Span) -> Order:
     """The order of `names` in a line or stack of `kind`."""
     sides = SIDES[kind]
-    if any(o.by == "any" for o in spec.orders):
-        scene.in_any_order.add(frozenset(names))
-        spec.orders = [o for o in spec.orders if not (o.items and o.by in ("named", "given"))]
+    _left_open(spec, names, scene)
     check_which_sorted(spec.orders)
     told_by_ends = [*sorted_from(spec, names, kind, scene), *last_first(spec, names, scene)]
     spec.orders = way_told([*_as_listed(spec, names, scene, sides), *told_by_ends], names, scene)
@@ -96,6 +94,13 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
     if found.by != "any" and first and found.first is None:
         found = found.model_copy(update={"first": first})
     return _either_way(found, spec, kind, first)
+
+
+def _left_open(spec: Spec, names: tuple[str, ...], scene: Scene) -> None:
+    """ "In any order": that in which they are listed is none."""
+    if any(o.by == "any" for o in spec.orders):
+        scene.in_any_order.add(frozenset(names))
+        spec.orders = [o for o in spec.orders if not (o.items and o.by in ("named", "given"))]
 
 
 def _placed(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, first: str | None) -> Placed | None:

@@ -12,6 +12,7 @@ from rpg.language.meaning import (
     Amount,
     Clause,
     Coord,
+    Into,
     Manner,
     Meaning,
     Noun,
@@ -40,10 +41,18 @@ def group_size(shape: Structure) -> int | None:
     return shape.extent("size", "columns")
 
 
-def whichever_they_are(theme: Meaning, scene: Scene) -> bool:
-    """ "Group the blocks so that each group has ...": "the blocks", of which nothing else is said."""
+def as_groups(clause: Clause, theme: Meaning, spec: Spec, scene: Scene) -> Clause | None:
+    """The clause of the groups to be built, where it tells of structures or of what each group has and not of which
+    blocks there are: "group the blocks so that each group has a red and a blue one"."""
+    if isinstance(theme, Structure):
+        return clause
+    if not any(o.by == "each" and o.items for o in spec.orders):
+        return None
+    groups = Structure(kind="pile", plural=True, span=clause.span)
+    spec.intos = spec.intos or [Into(structure=groups, span=clause.span)]
     the_blocks = Noun(head="block", det="the", plural=True, span=theme.span)
-    return (isinstance(theme, Pronoun) or theme == the_blocks) and not any(scene.blocks())
+    whichever = (isinstance(theme, Pronoun) or theme == the_blocks) and not any(scene.blocks())
+    return replace(clause, theme=spec.intos.pop().structure) if whichever and len(spec.intos) == 1 else None
 
 
 def equal(built: list[Built], spec: Spec) -> None:

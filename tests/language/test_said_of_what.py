@@ -98,7 +98,7 @@ ASKED = {
         "There is a tower of red, blue and green. Put a green one on top.",
         "Put two red blocks and a blue block on the mat. Use only red blocks.",
     ),
-    "between-two": ("There is a tower of red, blue and green. Put a yellow one between them.",),
+    "ambiguous": ("There is a tower of red, blue and green. Put a yellow one between them.",),
     "misplaced": ("Build two towers of three blocks, one red and one blue, but not the blue one.",),
     "misplaced-word": (
         # brackets that tell which block it is, or where it is

@@ -15,7 +15,6 @@ TITLES = (
     ("Two armies:", "three white blocks in one row, three black blocks in another row"),
     ("Three little pigs:", "three towers of 1, 2 and 3 blocks"),
     ("Treasure room:", "a gold block on a black block"),
-    ("Reversal of a stack.", "At the start there is a tower of red and blue, at the end a tower of blue and red."),
     ("Traffic light!", "Red on top, yellow in the middle, green at the bottom."),
     ("Drumroll...", "put red on blue!"),
 )
@@ -27,7 +26,7 @@ KEPT = (
     ("Three armies: three white blocks in one row, three black blocks in another row", "unknown-word"),
     ("Two teams of three: a row of white blocks and a row of black blocks", "unknown-word"),
     ("Color sorting: two red and two blue blocks in a row", "misplaced-word"),
-    ("Reversal of a stack. Put red on blue.", "unknown-word"),
+    ("Reversal of a stack. Put red on blue.", "misplaced-word"),
     ("Crescent: put five red blocks on the mat.", "unknown-word"),
     ("Piramid: six red blocks on the mat", "ambiguous"),
     ("Levitate red. Put red on blue.", "unknown-word"),

@@ -64,6 +64,8 @@ def test_what_could_be_meant_of_something_else_is_asked(text: str, code: str) ->
          {"assets": {"red": 1, "blue": 1, "white": 1},
           "hold": [["red ; blue ; white", "blue^red ; white", "red white ; blue"]],
           "miss": [["red ; blue ; white", "blue^red ; white", "blue^red white"]]}),
+        ("A wall three blocks wide with two layers, each a different colour.",
+         {"assets": {"c1": 3, "c2": 3}, "hold": ["c1^c2 c1^c2 c1^c2 pitch=1"], "miss": ["c1^c2 c2^c1 c1^c2 pitch=1"]}),
         ("Build a grid of 2 rows and 2 columns from 3 red blocks and 1 blue block. The blue block is in the far left "
          "corner.", {"assets": {"red": 3, "blue": 1}, "hold": ["blue red | red red"], "miss": ["red red | red blue"]}),
         ("order from left: gray, white, cyan. It is a row.",

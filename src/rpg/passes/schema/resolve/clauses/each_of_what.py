@@ -7,7 +7,20 @@ from __future__ import annotations
 import re
 
 from rpg.language import lexicon
-from rpg.language.meaning import Chain, Clause, Coord, Loc, Meaning, Noun, Pronoun, Quality, Structure, parts_of
+from rpg.language.meaning import (
+    Chain,
+    Clause,
+    Coord,
+    Loc,
+    Manner,
+    Meaning,
+    Noun,
+    Pronoun,
+    Quality,
+    Size,
+    Structure,
+    parts_of,
+)
 from rpg.passes.schema.resolve.things.world import refuse
 
 EACH_TOWER = "say for example 'build two towers, each with a blue block at the bottom and two red ones on top'"
@@ -23,17 +36,24 @@ def check_each(chains: tuple[Chain, ...], text: str) -> None:
             _one_for_each(clause.theme, place, mats)
         _check_so_many(clause, text)
         theme = clause.theme
-        told = next((a for a in clause.adjuncts if isinstance(a, Quality) and a.traits.scheme == "different"), None)
+        told = next(filter(_of_different_colors, clause.adjuncts), None)
         if told is None or not isinstance(theme, Structure):
             continue
         if "each" not in text[theme.span[1] : told.span[1]].lower().split():
             continue
-        last = max(theme.sizes, key=lambda size: size.span, default=None)
+        sizes = (*theme.sizes, *(a for a in clause.adjuncts if isinstance(a, Size)))
+        last = max(sizes, key=lambda size: size.span, default=None)
         if last is not None and last.what in _PARTS:
             raise refuse("misplaced", "this is said of each of the parts", told.span, "say 'each block'")
         if theme.plural and theme.kind == "stack":
             raise refuse("ambiguous", "each of the blocks, or each of the towers?", told.span,
                          "say 'each tower' or 'each block'")  # fmt: skip
+
+
+def _of_different_colors(said: Meaning) -> bool:
+    if isinstance(said, Manner):
+        return (said.kind, said.value) == ("colors", "different")
+    return isinstance(said, Quality) and said.traits.scheme == "different"
 
 
 _BESIDE = frozenset({"left", "right", "front", "behind", "beside", "next", "adjacent", "near"})

@@ -36,6 +36,7 @@ SWAPPED_SIDES: Meant = {"assets": {"red": 1, "blue": 1}, "start": ["red at=0,4 ;
 
 
 @pytest.mark.parametrize("text", [
+    "Put one of A and B on the mat. The other must not be on the mat.",
     "Put exactly one of the blocks A and B on the mat, the other is not on the mat.",
     "There is an A block and a B block. One of them must be on the mat; the other one must not be on it.",
     "A or B goes on the mat. The other must not be on the mat.",
@@ -60,6 +61,7 @@ BY_COLOR: Meant = {"assets": {"yellow": 1, "green": 1, "red_patch": 1, "blue_pat
     ("text", "meant"),
     [
         ("Move either the red or the blue block onto the green one. The other one stays where it is.", KEPT),
+        ("Put one of the red and the blue block on the green block, and leave the other where it is.", KEPT),
         ("Put the yellow block on the red or the blue mat and the green block on the other mat.", BY_COLOR),
         ("There is a red patch and a blue patch. Put the yellow block on one of them and the green block on the other "
          "one.", BY_COLOR),

@@ -116,7 +116,8 @@ def _one_of(tokens: list[Token], at: int) -> tuple[int, Pair] | None:
     """Where "one of A and B", "either A or B" that begins here ends, and the two."""
     words = [token.word for token in tokens]
     begins = words[at] == "one" and at > 0 and words[at - 1] in STOPS and words[at + 1] in _VERBS
-    if begins or (words[at] == "one" and words[at - 1] in _PUT and words[at + 1] in _RELATING):
+    put = words[at] == "one" and words[at - 1] in _PUT and words[at + 1] in _RELATING - {"of"}
+    if begins or put:
         pairs = [pair for part in sentences(tokens[:at])[-1 if begins else -2 :] for pair in _listed(part)]
         return (at + 1, pairs[0]) if len(pairs) == 1 else None
     if words[at : at + 2] != ["one", "of"]:

@@ -30,11 +30,11 @@ OTHER = {
 PASSING = re.compile(
     r"step|stage|other two|twice|or more|\d\)|both ends|back (?:again|to)|the two|its two|symm|mirror"
     r"|\b(?:er|um|uh|sorry)\b|except that|(?:be|is) left (?:on|there)|second (?:one )?from the|across the top|actually"
-    r"|\bI mean\b|or rather|four arms|except for the block",
+    r"|\bI mean\b|or rather|four arms",
     re.I,
 )
-"""Texts in which some of these words are said in passing, or "left" is what remains, arms may be counted with the
-block in their middle, or "and for the block" says of its look what "except for the block" says."""
+"""Texts in which some of these words are said in passing, or "left" is what remains, or arms may be counted with the
+block in their middle."""
 CLAUSES = (
     "put the red block on the blue block", "the pink block must be left of the white block",
     "put A on B", "build a tower of two green blocks", "put the letters C, D and E in a row in that order",

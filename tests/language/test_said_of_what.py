@@ -13,8 +13,6 @@ from tests.language.meaning import assert_means
 
 ASKED = {
     "ambiguous": (
-        "There is a tower of red, blue and green. Put a green one on top.",
-        "There is a tower of red, blue and green. Put a yellow one between them.",
         # more than its colour is told of a part
         "Put four blocks in a row, the outer two red, the inner two blue and touching.",
         "Put four blocks in a row, the first two red and touching, the last two blue.",
@@ -97,8 +95,10 @@ ASKED = {
         "Initially C is on A and B is on the table.",
         "At first red is on blue, and green is on the mat.",
         "In the beginning, red is on blue and green on the mat.",
+        "There is a tower of red, blue and green. Put a green one on top.",
         "Put two red blocks and a blue block on the mat. Use only red blocks.",
     ),
+    "between-two": ("There is a tower of red, blue and green. Put a yellow one between them.",),
     "misplaced": ("Build two towers of three blocks, one red and one blue, but not the blue one.",),
     "misplaced-word": (
         # brackets that tell which block it is, or where it is

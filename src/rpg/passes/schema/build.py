@@ -112,7 +112,8 @@ def build(
             if refusal.diagnostics[0].code in FINAL and best is None:
                 raise
             if (more := patience(refusal.diagnostics[0])) is not None and (limit is None or more < 0):
-                limit, first = cost + more, first if first and aimless(first[0]) else (refusal, chosen)
+                kept = first is not None and (aimless(first[0]) or torn(refusal))
+                limit, first = cost + more, first if kept else (refusal, chosen)
             first = (refusal, chosen) if first is None or torn(first[0]) else first
             continue
         if best is not None:

@@ -45,6 +45,8 @@ _UNFOUND = (
 to be of: a reading that joins them otherwise may be meant."""
 _MORE_COLORS = re.compile(r"\d+ colours for \d+ objects")
 """The same of colours that are more than the blocks."""
+_CUT = "it is not clear whether this is said of all that is listed"
+"""What is told of a reading that cuts a list in two."""
 _SOMEWHAT = 3
 _OPEN = (
     "one for all of them, or one for each?",
@@ -76,4 +78,5 @@ def aimless(found: Refusal) -> bool:
 
 def torn(found: Refusal) -> bool:
     """Whether the cheapest reading tore a list apart: "a tower of a red, a blue and a green block" is no lone block."""
-    return found.diagnostics[0].code == "too-few" and "lone block" in found.diagnostics[0].message
+    first = found.diagnostics[0]
+    return (first.code == "too-few" and "lone block" in first.message) or first.message.startswith(_CUT)

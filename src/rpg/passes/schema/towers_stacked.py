@@ -12,6 +12,7 @@ from rpg.ir.structures import Cells, Row, Stack, Towers
 from rpg.ir.walk import atoms
 from rpg.language import lexicon
 from rpg.language.tokens import Token
+from rpg.passes.schema.resolve.structures.towers_apart import which_on_which
 from rpg.passes.schema.resolve.things.world import refuse
 
 _TOWERS = "|".join(word for word, (kind, many) in lexicon.STRUCTURE.items() if kind == "stack" and many)
@@ -60,5 +61,4 @@ def check_towers_stacked(words: Sequence[Token], task: TaskSchema) -> None:
     apart = [x for x in atoms(task.goal) if isinstance(x, Stack | Towers)]
     if of_towers and (len(apart) > 1 or any(isinstance(x, Towers) for x in apart)):
         at = len(said[: found.start()].split())
-        raise refuse("ambiguous", "which of the towers is to stand on which?", words[at].span,
-                     "say what each is made of, as in 'put the red tower on the blue one'")  # fmt: skip
+        raise which_on_which(words[at].span)

@@ -35,6 +35,7 @@ from rpg.passes.schema.resolve.structures.lined_towers import line_of, lined_up
 from rpg.passes.schema.resolve.structures.lines_apart import between_lines
 from rpg.passes.schema.resolve.structures.on_each_patch import on_each_patch
 from rpg.passes.schema.resolve.structures.structures import make
+from rpg.passes.schema.resolve.structures.towers_apart import stacked_alone
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.spoken import known_ones
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
@@ -92,7 +93,7 @@ def shaped(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if scope.start and any(b.kind == "pile" for b in built):
         return goals
     if not used and not goals:
-        raise refuse("no-goal", "it is not said what to do with it", clause.span)
+        raise stacked_alone(clause, built) or refuse("no-goal", "it is not said what to do with it", clause.span)
     return goals
 
 

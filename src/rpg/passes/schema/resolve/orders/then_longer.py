@@ -43,6 +43,8 @@ def then_longer(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
         line = chain.clauses[lines[0]] if lines else None
         if not parts or not isinstance(line, Clause) or not _further(parts, (*chains[:n], line)):
             continue
+        if _one_for_two_ends(line, parts):
+            continue
         begun = line if line.mode in ("given", "start") else replace(line, mode="start")
         longer = replace(_longer(line, parts), span=clauses[0].span, word=getattr(clauses[0], "word", None))
         last = here[0][0]
@@ -93,6 +95,13 @@ def _further(parts: list[Absolute | None], before: tuple[Meaning, ...]) -> bool:
     themes = [x.theme for x in parts if x is not None]
     single = [isinstance(x, Noun) and x.det in ("a", "the", "bare") and not x.plural and _looks(x) for x in themes]
     return len(themes) == len(parts) and all(single) and known.isdisjoint(y for x in themes for y in _looks(x))
+
+
+def _one_for_two_ends(line: Clause, parts: list[Absolute | None]) -> bool:
+    """ "A, B and C are in a row. Put a red block at either end": one block, beside single ones, for both of them."""
+    shape = _line(line)
+    both = any(x is not None and getattr(x.adjuncts[0], "side", "") == "ends" for x in parts)
+    return both and shape is not None and bool(_listed(shape.members))
 
 
 def _looks(noun: Meaning) -> tuple[str, ...]:

@@ -5,13 +5,14 @@ from __future__ import annotations
 
 from itertools import pairwise
 
+from rpg.core.diagnostics import Refusal, Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.node import Lowest
 from rpg.ir.walk import names as names_in
-from rpg.language.meaning import Meaning, Noun, Pronoun, Structure, Traits
-from rpg.passes.schema.resolve.things.world import Built, Ref, Scene
+from rpg.language.meaning import Clause, Meaning, Noun, Pronoun, Structure, Traits
+from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, refuse
 
 _PLURAL = ("each", "both", "all")
 _SIDES = {"left": "y", "right": "y", "front": "x", "back": "x", "middle": ""}
@@ -57,6 +58,18 @@ def one_of_them(said: Meaning, scene: Scene) -> Ref | None:
         return None
     names = tuple(n for built in found for n in built.members)
     return Ref(names=names, built=tuple(found), det=det, plural=len(found) > 1, each=det == "each", span=said.span)
+
+
+def which_on_which(span: Span) -> Refusal:
+    """What is to be said of "stack the two towers"."""
+    return refuse("ambiguous", "which of the towers is to stand on which?", span,
+                  "say what each is made of, as in 'put the red tower on the blue one'")  # fmt: skip
+
+
+def stacked_alone(clause: Clause, built: list[Built]) -> Refusal | None:
+    """What is wrong with "(A is on B and C on D.) Stack the two towers"; None of other clauses."""
+    towers = len(built) > 1 and all(b.kind == "stack" for b in built)
+    return which_on_which(clause.span) if clause.verb == "stack" and towers else None
 
 
 _ALL_OF_THEM = {"each": "each", "each one": "each", "each of them": "each", "both": "both", "both of them": "both"}

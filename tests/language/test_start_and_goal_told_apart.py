@@ -54,6 +54,13 @@ def test_a_tower_that_is_taken_down_lies_block_by_block() -> None:
     assert end.rstrip(".") == "The red, blue, green and yellow blocks must be on the table"
 
 
+def test_a_reversal_is_one() -> None:
+    told = "Reversal of a stack. At the start there is a tower of red and blue, at the end a tower of blue and red."
+    begun, end = start_and_end(told)
+    assert begun.endswith("in the order red, blue")
+    assert end.rstrip(".").endswith("in the order blue, red")
+
+
 def test_a_reversal_that_is_none_is_refused() -> None:
     text = "Reversal of a stack. It starts with red on green on blue and should finish with green on blue on red."
     assert code_of(text) == "misplaced-word"

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rpg.passes.schema.frontend import BuiltinFrontEnd
-from tests.language.meaning import start_and_end
+from tests.language.meaning import code_of, start_and_end
 
 
 @pytest.mark.parametrize(
@@ -73,10 +72,11 @@ def test_what_is_swapped_is_told_of_before() -> None:
     assert "red block is on the gray patch" in begun
     assert "blue block is not on the gray patch" in begun
     assert "must swap places" in end
-    for text in ("Two red blocks are on the patch and two blue ones are not. They should change places.",):
-        task, notes = BuiltinFrontEnd().read(text)
-        assert task is None
-        assert notes[0].code == "ambiguous"
+    begun, end = start_and_end("There is a row of A, B and C. Put D at the left end and E at the right end.")
+    assert "the blocks A, B and C are in a row" in begun
+    assert "The five blocks must be in a row with the D block at the left end and the E block at the right end" in end
+    swapped = "Two red blocks are on the patch and two blue ones are not. They should change places."
+    assert code_of(swapped) == "ambiguous"
 
 
 @pytest.mark.parametrize(

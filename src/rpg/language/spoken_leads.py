@@ -119,8 +119,8 @@ def _numbered(words: Sequence[str]) -> bool:
 
 
 def name_alone(tokens: Sequence[Token], behind: Sequence[Token]) -> bool:
-    """Whether the first sentence of a text is but a name of what the others tell: "Traffic light.", "Reversal of a
-    stack."; with a verb that is not known it would be something to do."""
+    """Whether the first sentence of a text is but a name of what the others tell: "Traffic light."; with a verb that
+    is not known it would be something to do."""
     if [token.word for token in tokens[:2]] in (["what", "a"], ["what", "an"]):
         tokens = tokens[2:]  # "what a lousy day"
     words = [token.word for token in tokens]

@@ -36,6 +36,7 @@ def told(pieces: Sequence[Piece]) -> str:
     Raises:
         Unclear: it is not told which figure it is, or not which blocks it is made of.
     """
+    _check_for_whom(pieces)
     pieces = parted(_but_so(without_brackets(as_adjectives(pieces))))
     check_listed(pieces)
     check_owned(pieces, ("way", "limb", "arm", "side", "place", "along", "base"))
@@ -89,6 +90,13 @@ def told(pieces: Sequence[Piece]) -> str:
         text += f" A {inner[0].look} block is in the middle of the {shape}."
     where = one(pieces, "where")
     return f"{text} The {shape} is {where.value}." if where else text
+
+
+def _check_for_whom(pieces: Sequence[Piece]) -> None:
+    """Raise Unclear at "and for the block at the corner, which is red", which says nothing of itself."""
+    for lead, place, told in zip(pieces, pieces[1:], pieces[2:], strict=False):
+        if lead.words == "for" and place.kind == "place" and told.words.startswith(", which"):
+            raise Unclear
 
 
 def _but_so(pieces: Sequence[Piece]) -> list[Piece]:

@@ -47,7 +47,7 @@ BECOME_AT_ONCE: tuple[Turn, ...] = (
      "pieces|parts)$", "{1}"),
     (f"^({_UNSTACK} .+?|take .+? apart)(?: ,)? ({BRICK}|piece|one) by \\2$", "{1}"),
     ("\\bon (?:its|their) own(?=$| [,:]| on the table\\b)", "by themselves"),
-    (f"\\bnothing {LIES} on(?: top of)? (?:anything|another|each other)(?: else)?$", "no block is on another"),
+    (f"(?<= )nothing {LIES} on(?: top of)? (?:anything|another|each other)(?: else)?$", "no block is on another"),
     (f"\\b(?:{_SINGLE} on the table|on the table {_SINGLE})\\b", "on the table by themselves"),
     (f"^({END} (?:, )?)there (?:is|are|{MUST} be) (?:only )?({MANY}) {_LONE} ({BRICK}s)"
      "(?: (?:lying )?on the table)?$", "{1} the {2} {3} must be on the table"),

@@ -51,8 +51,8 @@ SIZES: list[Pattern] = [
     *patterns("side", lambda m: number(m["count"]),
         f"(?:with )?{COUNT}{_MADE_LONG} (?:per|on|along|in|for|at|to|down|each|every|makes?|make up|form|forming|"
         f"a)(?: {_EACH})? {_SIDE}",
-        f"(?:with |and |so that |whose )?(?:{_EACH} |the length of {_EACH} )?{_SIDE} {HAS}(?:exactly "
-        f")?{COUNT}{_MADE_LONG}",
+        f"(?:with |and |so that |whose )?(?:{_EACH} |the length of {_EACH} )?{_SIDE} {HAS}"
+        f"(?:exactly )?{COUNT}{_MADE_LONG}",
         f"(?:with )?(?:(?:a|the|its) )?(?:side|edge)(?: length| size)? {HAS}{COUNT}{_MADE_LONG}",
         f"{COUNT}{_MADE_LONG} (?:a|per|each) {_SIDE}"),
     *patterns("rows", lambda m: [number(n) for n in re.findall(r"\d+|one", m[0])],

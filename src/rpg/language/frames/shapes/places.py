@@ -14,9 +14,9 @@ _TWO_PARTS = "(?: (?:BLOCK|ones|one|piece|place|places|position|positions|spot|p
 _TOWARD = {
     "left": "(?:(?:to|towards?|on|at|in|facing) )?(?:the |its |my |your )?left(?: hand)?(?: side)?|leftwards?",
     "right": "(?:(?:to|towards?|on|at|in|facing) )?(?:the |its |my |your )?right(?: hand)?(?: side)?|rightwards?",
-    "front": "(?:(?:towards?|to|facing|at|nearest|nearest to|closest to|close to|nearer to|near|near to) "
-             ")?(?:me|us|you|"
-    "(?:the )?(?:robot|viewer|camera|observer|spectator))|(?:(?:to|towards?|at|on|facing|in) )?(?:the )?(?:front|near)"
+    "front": "(?:(?:towards?|to|facing|at|nearest|nearest to|closest to|close to|nearer to|near|near to) )?"
+    "(?:me|us|you|(?:the )?(?:robot|viewer|camera|observer|spectator))|(?:(?:to|towards?|at|on|facing|in) )?(?:the )?"
+    "(?:front|near)"
     "(?: side| edge| end)?(?: of the TABLE)?|nearest|closest",
     "back": "(?:(?:to|towards?|at|on|facing|in) )?(?:the )?(?:back|rear|far)(?: side| edge| end)?(?: of the "
     "TABLE)?|away(?: from (?:me|us|you|(?:the )?(?:robot|viewer|camera|observer|spectator)))?|backwards?|"

@@ -156,9 +156,8 @@ PATTERNS: list[Pattern] = [
         "order) )*"
         "(?P<hues>COLOR(?:(?: ,| and| then)* COLOR)+)(?: (?:respectively|in (?:this|that) order))?",
         "(?:in )?(?P<hues>COLOR(?:(?: ,| and)* COLOR)+)(?: BLOCK)?(?: ,)? (?:respectively|in (?:this|that) order)"),
-    *patterns("rainbow", True, "(?:an? )?rainbow(?: colored)?(?= (?:stair|step|flight))", "(?:in|with) (?:the "
-         ")?(?:colors of "
-        "(?:the|a) rainbow|rainbow (?:colors|order))"),
+    *patterns("rainbow", True, "(?:an? )?rainbow(?: colored)?(?= (?:stair|step|flight))", "(?:in|with) "
+        "(?:the )?(?:colors of (?:the|a) rainbow|rainbow (?:colors|order))"),
     *patterns("piled", None, "(?:(?:BE )?stacked |piled )?(?:on top of (?:each other|one another)|(?:one|each) "
                              "(?:up)?on "
         "(?:top of )?the other)", "(?:BE )?(?:stacked|piled)(?: up)?(?= [,;.:]| and | $)"),

@@ -47,8 +47,8 @@ PYRAMIDS: tuple[Turn, ...] = (
     ("\\b(pyramid) on (an? base of)\\b", "{1} with {2}"),
     # a pyramid without a square base is in one plane anyway
     (f"\\b(pyramid)(?: ,)? (?:(?:all|standing|built|lying) )*(?:in|within) (?:one|a|a single|one single|the same)(?: "
-     f"vertical| upright)? plane\\b(?!.*(?:\\bsquare\\b|\\d+x\\d|\\bby\\b|\\b{_OF_SQUARES} (?:{COLOR} "
-     f")?(?:blocks|cubes)))",
+     f"vertical| upright)? plane\\b(?!.*(?:\\bsquare\\b|\\d+x\\d|\\bby\\b|\\b{_OF_SQUARES} "
+     f"(?:{COLOR} )?(?:blocks|cubes)))",
      "{1}"),
     (f"{_HEAD} ({MANY}){N}{_BOTTOM}{_AND}(?: always)? one{N} (?:fewer|less){N}(?: (?:in|on|for|with|at))? (?:each|"
      "every)(?: next| following| further)?(?: row| layer| level| course| step)?(?: above(?: it| that| them)?| up| "

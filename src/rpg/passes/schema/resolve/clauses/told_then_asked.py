@@ -7,7 +7,7 @@ import re
 
 from rpg.language.meaning import Chain, Clause, In, Loc, Meaning, Noun, Pronoun, replace
 from rpg.passes.schema.resolve.clauses.joined_facts import BESIDES, same_one
-from rpg.passes.schema.resolve.clauses.told_again import of_these
+from rpg.passes.schema.resolve.clauses.same_at_the_end import of_these
 from rpg.passes.schema.resolve.things.world import refuse
 
 _WISHED = re.compile(

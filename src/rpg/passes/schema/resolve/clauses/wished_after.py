@@ -21,7 +21,14 @@ from rpg.language.meaning import (
 )
 from rpg.passes.schema.resolve.clauses.begun_facts import indicative
 from rpg.passes.schema.resolve.clauses.joined_facts import BESIDES, asked_of, demanded, how_far_off
-from rpg.passes.schema.resolve.clauses.told_again import SHOULD, definite, known_by_then, made_so, of_a_part, of_these
+from rpg.passes.schema.resolve.clauses.same_at_the_end import (
+    SHOULD,
+    definite,
+    known_by_then,
+    made_so,
+    of_a_part,
+    of_these,
+)
 from rpg.passes.schema.resolve.clauses.wished_beside import wished_beside
 
 _STOP = re.compile(r"[.!?]")

@@ -22,7 +22,14 @@ from rpg.language.meaning import (
     replace,
 )
 from rpg.passes.schema.resolve.clauses.joined_facts import BESIDES, asks, how_far_off, moves, same_one, same_spot
-from rpg.passes.schema.resolve.clauses.told_again import SHOULD, definite, known_by_then, made_so, of_a_part, of_these
+from rpg.passes.schema.resolve.clauses.same_at_the_end import (
+    SHOULD,
+    definite,
+    known_by_then,
+    made_so,
+    of_a_part,
+    of_these,
+)
 from rpg.passes.schema.resolve.things.world import refuse
 
 

@@ -62,13 +62,19 @@ def retold(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
     asides = (without_distractors, without_turns, without_measures, without_attached)
     for without, (rest, stretch, aside) in ((way, found) for way in asides for found in way(tokens)):
         rest = beside.stopped(rest, stretch[0])
+        if without is without_turns and rest and not commands(rest):
+            aside = _told_as_is(aside)
         if without is without_attached:  # "it" may be another thing where the rest is no figure by itself
             whole = asked(plainly(rest) or "")
             told = [(_standing(whole, rest), whole)] if whole else []
         else:
             told = [(rest, _text(rest)), *_as_a_whole(rest)]
+        stands = _standing(aside, stretch)
+        if without is without_turns and rest and stretch[-1].span < rest[0].span:  # what is there is told at the front
+            told = [([*stands, *plain], f"{aside} {said}") for plain, said in told]
+            stands, aside = [], ""
         for plain, said in told if rest else [([], "")]:
-            yield [*plain, *_standing(aside, stretch)], f"{said} {aside}".strip()
+            yield [*plain, *stands], f"{said} {aside}".strip()
     if not _BINDING.isdisjoint(token.word for token in tokens):
         return
     parts = [
@@ -89,6 +95,11 @@ def _by_itself(tokens: Sequence[Token]) -> bool:
     """Whether what a sentence says does not hang on what is told again beside it."""
     text = _text(tokens)
     return not _ALL.search(text) and not _ONE_OF.search(text)
+
+
+def _told_as_is(aside: str) -> str:
+    """What must be, as what is: behind "must be", what is only described beside it would be of the start."""
+    return re.sub(r"\b(All letters)? must be ", lambda match: f"{match[1]} are " if match[1] else " is ", aside)
 
 
 _LEADS_TO = {"start": ("At the start,", "At the start:"), "end": ("", "At the end,", "At the end:"), "": ("",)}

@@ -3,6 +3,8 @@ PYTHON ?= $(shell command -v python3.11 || command -v python3)
 VENV ?= .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.rpg-installed
+# Tests start rpg hundreds of times: without the compiled modules each start would compile all of them anew.
+unexport PYTHONDONTWRITEBYTECODE
 INSTRUCTION ?= Stack two green blocks on the blue patch and spell the word CAT in front of it
 
 .DEFAULT_GOAL := help

@@ -11,6 +11,7 @@ from itertools import pairwise, takewhile
 
 from rpg.language import lexicon
 from rpg.language.harmless import ANIMALS, INTERJECTIONS, OCCASIONS, PEOPLE, THINGS, exclaimed
+from rpg.language.headlines import named_errand
 from rpg.language.idle_talk import idle, idle_at_an_end, of_their_doings, reason_at
 from rpg.language.lead_ins import command_behind, state_behind, thing_behind
 from rpg.language.phrases import length_at
@@ -99,7 +100,7 @@ def _in_sentence(tokens: list[Token], begin: int, end: int, stop: int) -> Iterat
         return
     marks = [n for n in range(begin, end) if tokens[n].word in _MARKS]
     parts = _between(tokens, begin, end)
-    named = begin == 0 and name_alone(tokens[:end], tokens[stop:])
+    named = begin == 0 and (name_alone(tokens[:end], tokens[stop:]) or named_errand(tokens[:end], tokens[stop:]))
     if named or idle_at_an_end(tokens[begin:end]) or _all_idle(parts):
         yield begin, stop
         return

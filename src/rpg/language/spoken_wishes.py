@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rpg.language import harmless, lexicon
+from rpg.language.headlines import headline
 from rpg.language.smalltalk import is_strange
 from rpg.language.spoken_leads import BEGINS, DET, LONGEST, TESTS, heading, of_words, sets_off, subject, tells_nothing
 from rpg.language.telling import may_tell_how
@@ -19,7 +20,19 @@ from rpg.language.word_lists import listed
 def led_by_form(tokens: Sequence[Token], commanded: bool) -> int:
     """How many of the first words of a text are such a lead. `commanded`: behind what it is comes a command, so that it
     may be like this at the start."""
-    ways = (heading, called_by_name, asked_of_it, purpose, dared, glad_if, favour, clause, announcement, ability)
+    ways = (
+        heading,
+        headline,
+        called_by_name,
+        asked_of_it,
+        purpose,
+        dared,
+        glad_if,
+        favour,
+        clause,
+        announcement,
+        ability,
+    )
     return (0 if commanded else subject(tokens) or included(tokens)) or next(
         (led for way in ways if (led := way(tokens))), 0
     )

@@ -26,7 +26,7 @@ _KINDS: tuple[tuple[frozenset[str], _Shows], ...] = (
 _CHANGES = ("revers", "mirror", "rotat", "swap", "flip", "unstack", "remov", "dismantl", "disassembl")
 _ORDERS = ("sort", "group", "separat", "order", "altern", "symmetr", *_CHANGES)
 """How words begin by which the blocks of a figure are ordered, or changed."""
-_BEGUN = listed("start starts starting begin begins beginning initially first now currently")
+_BEGUN = listed("start initial starts starting begin begins beginning initially first now currently")
 _IN_ORDER = _BEGUN | listed(
     "from biggest largest smallest bigger smaller ascending descending increasing decreasing alphabetical "
     "alphabetically top bottom"
@@ -85,3 +85,10 @@ def _figures(behind: Sequence[Token]) -> int:
 
 
 _SEVERAL = frozenset(word for word, (_, many) in lexicon.STRUCTURE.items() if many)
+
+
+def so_many(many: int, behind: Sequence[Token]) -> bool:
+    """Whether so many blocks are told of: by a number, or one by one by their colors or symbols."""
+    colors = {lexicon.COLOR[token.word] for token in behind if token.word in lexicon.COLOR}
+    symbols = {token.raw for token in behind if len(token.raw) == 1 and token.raw.isupper()}
+    return many in (len(colors), len(symbols)) or any(token.many == many for token in behind)

@@ -29,6 +29,8 @@ _DEMANDED = re.compile(
     r"have to|needs? to|ought|let|can|could)\b",
     re.IGNORECASE,
 )
+_TITLED = re.compile(r"\b(?!(?:the|my|our|your|this|next|for|with)\b)\w+ task *[:.!]", re.IGNORECASE)
+"""A title, "swap task:", asks for nothing."""
 _KNOWN = re.compile(r"\b(?:sees?(?! to it)|look|imagine|know|note|assume|suppose|say|given)\b", re.IGNORECASE)
 
 
@@ -131,7 +133,7 @@ def demanded(chains: tuple[Chain, ...], n: int, text: str) -> bool:
 
 def asks(words: str) -> bool:
     """Whether words in front of a clause ask for what it tells: "and I want ...", and not "and you can see ..."."""
-    return _DEMANDED.search(words) is not None and _KNOWN.search(words) is None
+    return _DEMANDED.search(_TITLED.sub("", words)) is not None and _KNOWN.search(words) is None
 
 
 def same_one(fact: Clause, order: Clause) -> bool:

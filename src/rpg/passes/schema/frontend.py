@@ -27,6 +27,7 @@ from rpg.language.grammar.talk.begun_with import with_beginnings
 from rpg.language.grammar.talk.line_told_behind import line_told_behind
 from rpg.language.grammar.talk.numbers_told import digits_named
 from rpg.language.grammar.talk.one_by_one import one_by_one
+from rpg.language.grammar.talk.one_of_each_color import one_of_each_color
 from rpg.language.grammar.talk.one_or_other import one_or_the_other
 from rpg.language.grammar.talk.shape_last import shape_ahead
 from rpg.language.grammar.talk.that_is import that_is
@@ -310,7 +311,7 @@ _PLAINER: tuple[Callable[[list[Token]], tuple[list[Token], list[str]]], ...] = (
 )  # fmt: skip
 """What is put in plain words before the words are looked up, each with notes of what it meant."""
 _OTHERWISE: tuple[Callable[[list[Token]], list[Token] | None], ...] = (
-    shape_ahead, one_by_one, one_or_the_other, digits_named, stock_last,
+    shape_ahead, one_by_one, one_or_the_other, one_of_each_color, digits_named, stock_last,
     line_told_behind, that_is,
 )  # fmt: skip
 """How what makes no sense as it stands is told again, if it is of such a kind."""

@@ -52,6 +52,7 @@ def each_made_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, 
                      "list them behind a colon, as in 'two identical towers: red, blue, green'")  # fmt: skip
     pool = _pool(shape, spec, theme, scene)
     count = _count(shape, lot, pool)
+    spec.manner("equal")  # "of equal height, each with a red and a blue one": they are
     if lot.values == SHARED:
         lot = replace(lot, items=equal_share(lot, count))
     if lot.attribute == LISTED:

@@ -14,14 +14,14 @@ _HAS = (
     ("should", "contain"), ("of", "which", "contains"), ("of", "which", "has"), ("of", "them", "has"),
     ("of", "them", "contains"), ("one", "has"), ("one", "with"), ("one", "contains"), ("having",), ("containing",),
 )  # fmt: skip
-_ONE = (
+_ONE: tuple[tuple[str, ...], ...] = (
     ("one", "block", "of", "each", "color"), ("one", "block", "of", "every", "color"), ("one", "of", "each", "color"),
     ("one", "of", "every", "color"), ("one", "block", "from", "each", "color"), ("one", "of", "each"),
     ("exactly", "one", "block", "of", "each", "color"), ("exactly", "one", "of", "each", "color"),
     ("each", "color", "once"), ("every", "color", "once"), ("each", "color", "exactly", "once"),
     ("every", "color", "exactly", "once"), ("one", "block", "in", "each", "color"),
 )  # fmt: skip
-_ALL = (("both", "colors"), ("both", "of", "the", "colors"), ("all", "the", "colors"), ("all", "colors"),
+_ALL: tuple[tuple[str, ...], ...] = (("both", "colors"), ("both", "of", "the", "colors"), ("all", "the", "colors"), ("all", "colors"),
         ("every", "color"), ("each", "color"), ("both", "the", "colors"))  # fmt: skip
 _CELLS = frozenset({"row", "column", "layer", "line", "step", "level"})
 """Of a grid or a wall these are parts."""
@@ -66,7 +66,7 @@ def _told(words: list[str], begin: int, colors: dict[str, int]) -> int:
     for said in _ONE:
         if tuple(words[begin : begin + len(said)]) == said and words[begin + len(said) :][:1] != ["of"]:
             return begin + len(said)
-    said = next((x for x in _ALL if tuple(words[begin : begin + len(x)]) == x), ())
+    said: tuple[str, ...] = next((x for x in _ALL if tuple(words[begin : begin + len(x)]) == x), ())
     end = begin + len(said)
     if words[begin] == "all" and words[begin + 2 : begin + 3] == ["colors"]:
         named = lexicon.NUMBER.get(words[begin + 1], 0) == len(colors)

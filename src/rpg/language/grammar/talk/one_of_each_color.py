@@ -21,8 +21,10 @@ _ONE: tuple[tuple[str, ...], ...] = (
     ("each", "color", "once"), ("every", "color", "once"), ("each", "color", "exactly", "once"),
     ("every", "color", "exactly", "once"), ("one", "block", "in", "each", "color"),
 )  # fmt: skip
-_ALL: tuple[tuple[str, ...], ...] = (("both", "colors"), ("both", "of", "the", "colors"), ("all", "the", "colors"), ("all", "colors"),
-        ("every", "color"), ("each", "color"), ("both", "the", "colors"))  # fmt: skip
+_ALL: tuple[tuple[str, ...], ...] = (
+    ("both", "colors"), ("both", "of", "the", "colors"), ("all", "the", "colors"), ("all", "colors"),
+    ("every", "color"), ("each", "color"), ("both", "the", "colors"),
+)  # fmt: skip
 _CELLS = frozenset({"row", "column", "layer", "line", "step", "level"})
 """Of a grid or a wall these are parts."""
 _WHOLES = frozenset({"grid", "wall", "square", "cube", "pyramid", "staircase", "board", "checkerboard", "matrix"})
@@ -63,9 +65,9 @@ def _told_ahead(tokens: list[Token], words: list[str], at: int) -> list[Token] |
 
 def _told(words: list[str], begin: int, colors: dict[str, int]) -> int:
     """Where it ends that each has one of each color, or all of them where there are as many of each as structures."""
-    for said in _ONE:
-        if tuple(words[begin : begin + len(said)]) == said and words[begin + len(said) :][:1] != ["of"]:
-            return begin + len(said)
+    for once in _ONE:
+        if tuple(words[begin : begin + len(once)]) == once and words[begin + len(once) :][:1] != ["of"]:
+            return begin + len(once)
     said: tuple[str, ...] = next((x for x in _ALL if tuple(words[begin : begin + len(x)]) == x), ())
     end = begin + len(said)
     if words[begin] == "all" and words[begin + 2 : begin + 3] == ["colors"]:

@@ -43,6 +43,7 @@ from rpg.language.grammar.rows.lines import LINED_AT_ONCE, MIRRORS_AT_ONCE, RAIN
 from rpg.language.grammar.rows.listed_lines import listed_lines
 from rpg.language.grammar.rows.lots_told import LOTS, LOTS_AT_ONCE
 from rpg.language.grammar.rows.lying_there import LYING_THERE_AT_ONCE
+from rpg.language.grammar.rows.moved_off import MOVED_OFF_AT_ONCE, OFF_ONTO
 from rpg.language.grammar.rows.not_at_end import NOT_THERE, NOT_THERE_AT_ONCE, not_at_end
 from rpg.language.grammar.rows.not_consecutive import not_consecutive
 from rpg.language.grammar.rows.of_each_color import of_each_color
@@ -54,7 +55,7 @@ from rpg.language.grammar.rows.order_matters import ORDER_MATTERS_AT_ONCE
 from rpg.language.grammar.rows.ordered import ORDERED, ORDERED_AT_ONCE
 from rpg.language.grammar.rows.other_end import other_end_named, row_with_ends
 from rpg.language.grammar.rows.others_elsewhere import others_elsewhere
-from rpg.language.grammar.rows.own_color import OWN_COLOR, OWN_COLOR_AT_ONCE
+from rpg.language.grammar.rows.own_color import OWN_COLOR, OWN_COLOR_ACROSS, OWN_COLOR_AT_ONCE
 from rpg.language.grammar.rows.palindromes import palindromes
 from rpg.language.grammar.rows.patches_told import PATCHES_AT_ONCE, PATCHES_UNREAD
 from rpg.language.grammar.rows.plain_talk import PLAIN_TALK, PLAIN_TALK_AT_ONCE
@@ -125,6 +126,7 @@ _OF_ALL = (
     *BESIDES_AT_ONCE,
     *PATCHES_AT_ONCE,
     *FROM_TO,
+    *MOVED_OFF_AT_ONCE,
     *BEGUN_AT_ONCE,
     *OFF_FIRST,
     *BECOME_AT_ONCE,
@@ -217,7 +219,18 @@ _LAST_ACROSS = (*WAY_BEHIND, *CORNERS_ACROSS, *ACROSS)
 AT_ONCE, UNREAD, OVER_ALL = (
     Turns(_OF_ALL),
     Turns(_OF_THE_UNREAD),
-    Turns((*FALLEN, *ONE_TOPPED, *TOLD_OF_BOTH, *CONTRASTS_ACROSS, *BEFORE_AND_AFTER, *_LAST_ACROSS)),
+    Turns(
+        (
+            *FALLEN,
+            *OFF_ONTO,
+            *OWN_COLOR_ACROSS,
+            *ONE_TOPPED,
+            *TOLD_OF_BOTH,
+            *CONTRASTS_ACROSS,
+            *BEFORE_AND_AFTER,
+            *_LAST_ACROSS,
+        )
+    ),
 )
 
 

@@ -61,7 +61,7 @@ from rpg.language.grammar.rows.patches_told import PATCHES_AT_ONCE, PATCHES_UNRE
 from rpg.language.grammar.rows.plain_talk import PLAIN_TALK, PLAIN_TALK_AT_ONCE
 from rpg.language.grammar.rows.put_otherwise import OTHERWISE, OTHERWISE_AT_ONCE
 from rpg.language.grammar.rows.pyramids import PYRAMIDS
-from rpg.language.grammar.rows.quantified import EACH_THERE, QUANTIFIED
+from rpg.language.grammar.rows.quantified import EACH_THERE, QUANTIFIED, WHICHEVER
 from rpg.language.grammar.rows.rainbow_told import RAINBOW_SPANS, announced_rainbow
 from rpg.language.grammar.rows.range_but import range_but
 from rpg.language.grammar.rows.related import RELATED, RELATED_AT_ONCE
@@ -223,6 +223,7 @@ AT_ONCE, UNREAD, OVER_ALL = (
         (
             *FALLEN,
             *OFF_ONTO,
+            *WHICHEVER,
             *OWN_COLOR_ACROSS,
             *ONE_TOPPED,
             *TOLD_OF_BOTH,

@@ -23,7 +23,7 @@ from rpg.language.grammar.rows.column_words import column_words
 from rpg.language.grammar.rows.contrasted import CONTRASTED
 from rpg.language.grammar.rows.contrasts import CONTRASTS, CONTRASTS_ACROSS
 from rpg.language.grammar.rows.corners import corners_again
-from rpg.language.grammar.rows.corners_told import CORNERS_ACROSS, CORNERS_TOLD
+from rpg.language.grammar.rows.corners_told import CORNERS_ACROSS, CORNERS_AT_ONCE, CORNERS_TOLD
 from rpg.language.grammar.rows.counts import COUNTED, SHARED_OUT
 from rpg.language.grammar.rows.distances import DISTANCES, DISTANCES_AT_ONCE, SPACED_AT_ONCE
 from rpg.language.grammar.rows.each_side import EACH_SIDE
@@ -39,6 +39,7 @@ from rpg.language.grammar.rows.in_writing import IN_WRITING
 from rpg.language.grammar.rows.kept_and_moved import FALLEN, KEPT_AND_MOVED, KEPT_AT_ONCE
 from rpg.language.grammar.rows.labels_counted import labels_counted
 from rpg.language.grammar.rows.labels_there import LABELS_THERE
+from rpg.language.grammar.rows.letters_of_a_word import LETTERS_OF_A_WORD, word_of_letters
 from rpg.language.grammar.rows.lines import LINED_AT_ONCE, MIRRORS_AT_ONCE, RAINBOWS_AT_ONCE
 from rpg.language.grammar.rows.listed_lines import listed_lines
 from rpg.language.grammar.rows.lots_told import LOTS, LOTS_AT_ONCE
@@ -54,6 +55,7 @@ from rpg.language.grammar.rows.one_row_and_one import one_row_and_one
 from rpg.language.grammar.rows.order_matters import ORDER_MATTERS_AT_ONCE
 from rpg.language.grammar.rows.ordered import ORDERED, ORDERED_AT_ONCE
 from rpg.language.grammar.rows.other_end import other_end_named, row_with_ends
+from rpg.language.grammar.rows.others_counted import others_counted
 from rpg.language.grammar.rows.others_elsewhere import others_elsewhere
 from rpg.language.grammar.rows.own_color import OWN_COLOR, OWN_COLOR_ACROSS, OWN_COLOR_AT_ONCE
 from rpg.language.grammar.rows.palindromes import palindromes
@@ -127,6 +129,8 @@ _OF_ALL = (
     *PATCHES_AT_ONCE,
     *FROM_TO,
     *MOVED_OFF_AT_ONCE,
+    *CORNERS_AT_ONCE,
+    *LETTERS_OF_A_WORD,
     *BEGUN_AT_ONCE,
     *OFF_FIRST,
     *BECOME_AT_ONCE,
@@ -281,7 +285,7 @@ _CHANGES = (
     swapped_over, result_told, palindromes, one_more, all_sides, around_named, some_of_the_letters, row_with_ends,
     other_end_named, rows_by_number, told_by_places, _steps_told, _one_of_each, of_each_color, corners_again,
     not_at_end, of_the_figure, word_again, range_but, not_consecutive, so_many_inside, so_many_on_each,
-    others_elsewhere,
+    others_elsewhere, others_counted, word_of_letters,
 )  # fmt: skip
 """What is told otherwise before the rows are looked for, in this order."""
 

@@ -66,6 +66,11 @@ EACH_THERE: tuple[Turn, ...] = (
      "put {1} {3} . there must be as many {4} blocks as {2} blocks {3}"),
     (f"^{_ALL} {_GO} {_ON}(?: ,)? (?:and|together with|plus) {_AS_MANY} ({COLOR}) {_BLOCKS}$",
      "{1} must be {3} . there must be as many {4} blocks as {2} blocks {3}"),
+    (f"\\b((?:the same|an equal) number of (?:{COLOR} )?{_BLOCKS}(?: {_GO})? on) {_A} and on {_A}(?= ,| \\(|$)",
+     "{1} the {2} and the {3} patch"),
+    (f"^the number of ((?:{COLOR} )?{_BLOCKS}) (on the (?:\\w+ )?{PATCH}|in the \\w+ half)(?: of the table)? (?:{MUST} "
+     f"equal|equals|(?:{MUST} be|is) (?:equal to|the same as)) (?:the (?:number of \\1|number|one) )?(on the (?:\\w+ )?"
+     f"(?:{PATCH}|one)|in the \\w+ (?:half|one))\\b", "there must be as many {1} {2} as {3}"),
     # among those that are listed
     (f"^(.*?)\\b((?:each|every|all|the) {_KINDS}) (?:among|of|out of) the ({_BLOCKS}|letters|numbers|digits) "
      f"({_LABELS}) (?=(?:{_GO}|rests?|sits?|lies?|has|have)\\b)(.+)$", "there are {3} {4} . {1} {2} {5}"),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 from rpg.language.frames.groups.mat_words import PATTERNS
 from rpg.language.frames.groups.shared import Gathered, belongs, check_clauses, gathered, listed, said_of, settled
@@ -32,6 +33,8 @@ def told(pieces: Sequence[Piece]) -> str:
             raise Unclear
     if any(piece.kind in ("lot", "glyphs", "class") and _SOME.search(piece.words) for piece in pieces):
         raise Unclear
+    if any(det.words in ("a", "an") and of.kind == "class" for det, of in pairwise(pieces)):
+        raise Unclear  # "a vowel" is one of them
     if any(piece.words == "line up" for piece in pieces):
         raise Unclear  # a row, and not only on a patch
     pieces = _named(_matched(pieces))

@@ -57,10 +57,12 @@ def equal_numbers(p: Parser, i: int) -> Results[Clause]:
 
 
 def _so_many(p: Parser, i: int, told: tuple[str, ...]) -> Results[Noun]:
-    """ "the same number of cubes", "equally many red blocks"."""
+    """ "the same number of cubes", "equally many red blocks"; of red and blue ones it may be the colors that are
+    equally many."""
     start = p.any_of(i, told)
     for blocks, j in simple(p, start) if start else ():
-        if isinstance(blocks, Noun) and blocks.head == "block" and blocks.plural and blocks.part_of is None:
+        plain = isinstance(blocks, Noun) and blocks.head == "block" and blocks.plural and blocks.part_of is None
+        if plain and isinstance(blocks, Noun) and len(blocks.traits.colors) < len(("the one", "the other")):
             yield blocks, j
 
 

@@ -53,7 +53,7 @@ def _lead(p: Parser, i: int) -> int:
         )
         or i
     )
-    return p.opt(j, "the", "a", "any", "one") if j > i else i
+    return p.opt(j, "the", "a", "an", "any", "one") if j > i else i
 
 
 EVERY_CORNER = (
@@ -95,9 +95,10 @@ def region(p: Parser, i: int) -> Results[In]:
         both = f"each_corner{'' if one_by_one else 's'}:{TWO_CORNERS[phrase]}{'' if end else '?'}"
         yield In(region=both, span=p.span(i, end or k)), end or k
     j = _lead(p, exact)
-    if j == exact:
+    around = p.any_of(exact, _AROUND)
+    if j == exact and not around:
         return
-    for name, k, plain in _names(p, j):
+    for name, k, plain in [x for x in _names(p, around or j) if x[0] == "edge" or not around]:
         end = of_table(p, k)
         if end:
             yield In(region=name, span=p.span(i, end)), end
@@ -106,11 +107,15 @@ def region(p: Parser, i: int) -> Results[In]:
     if k := p.any_of(exact, EACH_CORNER):
         end = of_table(p, k)  # else they may as well be those of a board that was built
         yield In(region=_of_corners(p, i, k, end), span=p.span(i, end or k), cost=int(not end)), end or k
-    if j := p.any_of(i, ("on the table's", "to the table's", "in the table's", "at the table's")):
-        pass
-    if (k := p.any_of(i, ("on the table", "in the table"))) and p.one(k, "'s"):
+    if (k := p.any_of(i, _AT_TABLE)) and p.one(k, "'s"):
         for name, end, _ in _names(p, k + 1):
             yield In(region=name, span=p.span(i, end)), end
+
+
+_AT_TABLE = tuple(f"{at} the table" for at in ("on", "in", "at", "along", "near", "around"))
+"""What stands ahead of "'s left edge"."""
+_AROUND = ("around the", "round the", "all along the")
+"""What stands ahead of edges, and of no other part."""
 
 
 def _of_corners(p: Parser, i: int, k: int, table: int) -> str:
@@ -150,6 +155,8 @@ def _names(p: Parser, j: int) -> list[tuple[str, int, bool]]:
     k = p.any_of(p.opt(j, "exact", "very", "dead"), ("middle", "center", "central area", "central part"))
     if k and not p.stands(k, ("between",)):
         found.append(("middle", p.opt(k, "part", "area"), False))
+    if k := p.any_of(j, ("edges", "table edges")):
+        found.append(("edge", k, p.words[k - 2] == "table" or not p.all.isdisjoint(_TABLE)))
     if k := p.any_of(j, ("edge", "table edge")):
         found.append(("edge", k, False))
         found += [(f"{_BY_ROBOT[told]}_edge", e, True) for told, e in p.standing(of_table(p, k) or k, _BY_ROBOT)]
@@ -176,6 +183,8 @@ _OPPOSITE = {
     "opposite corner": "opposite_corner", "diagonally opposite corner": "opposite_corner",
     "opposite one": "opposite_corner", "opposite corners": "opposite_corners",
     "diagonally opposite corners": "opposite_corners",
+    **dict.fromkeys(("different corners", "separate corners", "corners of their own"), "different_corners"),
+    **dict.fromkeys(("different corner", "separate corner", "corner of its own"), "different_corner"),
     **{f"corner {diagonally}{opposite}{it}": "opposite_corner" for diagonally in ("", "diagonally ")
        for opposite in ("opposite", "across") for it in ("", " it", " to it", " from it", " of it", " to that")
        if diagonally or opposite == "opposite"},

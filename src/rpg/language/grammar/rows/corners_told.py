@@ -3,13 +3,16 @@ corners that are filled, or of which none is empty, as rows that say what is in 
 
 from __future__ import annotations
 
-from rpg.language.grammar.rows.said_short import PUT
+from rpg.language.grammar.rows.said_short import PUT, THINGS
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, MUST
+from rpg.language.grammar.rows.vocabulary import COLOR, MANY, MUST
 
 _FOUR = "(?:the table has |there are )?(?:the |its )?four corners(?: of the table)?"
 _ONE = f"((?:exactly )?(?:one|an?) (?:{COLOR} )?(?:block|cube|brick))"
 _BLOCK = f"(?:one|an?) ({COLOR} )?(?:block|cube|brick)"
+_TABLE = "(?: of the table)?"
+_IN = f"(?: (?:{MUST} (?:be|go|lie)|goes|go|are|is|belongs|belong|lies|lie))?(?: all)?(?: together)? (?:in|into|to)"
+_LOT = f"(?:{THINGS}|the (?:{MANY} )?{COLOR}s)"
 _ALL = "(?:all(?: of)?(?: the)? four|all(?: the)?|the four|each of the four|each|every)"
 
 CORNERS_ACROSS: tuple[Turn, ...] = (
@@ -17,6 +20,13 @@ CORNERS_ACROSS: tuple[Turn, ...] = (
      "put {1} in each corner of the table"),
 )  # fmt: skip
 """What is told in two sentences."""
+CORNERS_AT_ONCE: tuple[Turn, ...] = (
+    (f"\\b({MUST}) each (be|go|lie|stand) in an? (?:different|separate) corner\\b", "{1} {2} in different corners"),
+    *((f"^(?:{PUT} )?({_LOT}){_IN} (?:one|a)(?: single)? corner{_TABLE}(?: ,)?(?: and| while| ,) ({_LOT}){_IN} {other}"
+     f"(?: corner| one){_TABLE}$", f"put {{1}} and {{2}} in {corners} corners of the table")
+      for other, corners in (("(?:another|a different|a second)", "different"), ("(?:the|an) opposite", "opposite"))),
+)  # fmt: skip
+"""Two lots, each in a corner of which it is not said which; in every sentence."""
 CORNERS_TOLD: tuple[Turn, ...] = (
     (f"^{_FOUR} ?[:,] (?:four (?:blocks|cubes|bricks) ?[:,] )?(?:{PUT} )?{_ONE} (?:in|into) each(?: of them| one| "
      "corner)?(?: of the table)?$", "put {1} in each corner of the table"),

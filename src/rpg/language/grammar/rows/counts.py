@@ -62,6 +62,8 @@ COUNTED: tuple[Turn, ...] = (
     # on each of several
     (f"^on each of ((?:the |my )?{MANY} [^,]+?) there (?:{MUST}|is|are) ?(?:be|stand|lie|sit)? ?(?:exactly )?((?:one|"
      "an?) [^,]+?)$", "put {2} on each of {1}"),
+    (f"^((?:empty|clear) [^,]+?)(?: ,)? (?:and|then|and then) fill ((?:the |my )(?:{COLOR} )?{PATCH}) with "
+     "((?:all|the|my|both) .+)$", "{1} . put {3} on {2}"),
     (f"^fill ((?:the |my )(?:{COLOR} )?{PATCH}) with ((?:all|the|my|both) .+)$", "put {2} on {1}"),
     # on one patch and on another
     (f"^(?:put |place |set )?(?:the two|both) ({COLOR}) {_BLOCKS} (?:(?:{_GO} )?on different {PATCHES}|(?:{MUST}|may|"

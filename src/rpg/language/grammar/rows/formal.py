@@ -23,7 +23,7 @@ from rpg.language.grammar.rows.column_words import column_words
 from rpg.language.grammar.rows.contrasted import CONTRASTED
 from rpg.language.grammar.rows.contrasts import CONTRASTS, CONTRASTS_ACROSS
 from rpg.language.grammar.rows.corners import corners_again
-from rpg.language.grammar.rows.corners_told import CORNERS_ACROSS, CORNERS_TOLD
+from rpg.language.grammar.rows.corners_told import CORNERS_ACROSS, CORNERS_AT_ONCE, CORNERS_TOLD
 from rpg.language.grammar.rows.counts import COUNTED, SHARED_OUT
 from rpg.language.grammar.rows.distances import DISTANCES, DISTANCES_AT_ONCE, SPACED_AT_ONCE
 from rpg.language.grammar.rows.each_side import EACH_SIDE
@@ -39,10 +39,12 @@ from rpg.language.grammar.rows.in_writing import IN_WRITING
 from rpg.language.grammar.rows.kept_and_moved import FALLEN, KEPT_AND_MOVED, KEPT_AT_ONCE
 from rpg.language.grammar.rows.labels_counted import labels_counted
 from rpg.language.grammar.rows.labels_there import LABELS_THERE
+from rpg.language.grammar.rows.letters_of_a_word import LETTERS_OF_A_WORD, word_of_letters
 from rpg.language.grammar.rows.lines import LINED_AT_ONCE, MIRRORS_AT_ONCE, RAINBOWS_AT_ONCE
 from rpg.language.grammar.rows.listed_lines import listed_lines
 from rpg.language.grammar.rows.lots_told import LOTS, LOTS_AT_ONCE
 from rpg.language.grammar.rows.lying_there import LYING_THERE_AT_ONCE
+from rpg.language.grammar.rows.moved_off import MOVED_OFF_AT_ONCE, OFF_ONTO
 from rpg.language.grammar.rows.not_at_end import NOT_THERE, NOT_THERE_AT_ONCE, not_at_end
 from rpg.language.grammar.rows.not_consecutive import not_consecutive
 from rpg.language.grammar.rows.of_each_color import of_each_color
@@ -53,14 +55,15 @@ from rpg.language.grammar.rows.one_row_and_one import one_row_and_one
 from rpg.language.grammar.rows.order_matters import ORDER_MATTERS_AT_ONCE
 from rpg.language.grammar.rows.ordered import ORDERED, ORDERED_AT_ONCE
 from rpg.language.grammar.rows.other_end import other_end_named, row_with_ends
+from rpg.language.grammar.rows.others_counted import others_counted
 from rpg.language.grammar.rows.others_elsewhere import others_elsewhere
-from rpg.language.grammar.rows.own_color import OWN_COLOR, OWN_COLOR_AT_ONCE
+from rpg.language.grammar.rows.own_color import OWN_COLOR, OWN_COLOR_ACROSS, OWN_COLOR_AT_ONCE
 from rpg.language.grammar.rows.palindromes import palindromes
 from rpg.language.grammar.rows.patches_told import PATCHES_AT_ONCE, PATCHES_UNREAD
 from rpg.language.grammar.rows.plain_talk import PLAIN_TALK, PLAIN_TALK_AT_ONCE
 from rpg.language.grammar.rows.put_otherwise import OTHERWISE, OTHERWISE_AT_ONCE
 from rpg.language.grammar.rows.pyramids import PYRAMIDS
-from rpg.language.grammar.rows.quantified import EACH_THERE, QUANTIFIED
+from rpg.language.grammar.rows.quantified import EACH_THERE, QUANTIFIED, WHICHEVER
 from rpg.language.grammar.rows.rainbow_told import RAINBOW_SPANS, announced_rainbow
 from rpg.language.grammar.rows.range_but import range_but
 from rpg.language.grammar.rows.related import RELATED, RELATED_AT_ONCE
@@ -125,6 +128,9 @@ _OF_ALL = (
     *BESIDES_AT_ONCE,
     *PATCHES_AT_ONCE,
     *FROM_TO,
+    *MOVED_OFF_AT_ONCE,
+    *CORNERS_AT_ONCE,
+    *LETTERS_OF_A_WORD,
     *BEGUN_AT_ONCE,
     *OFF_FIRST,
     *BECOME_AT_ONCE,
@@ -217,7 +223,19 @@ _LAST_ACROSS = (*WAY_BEHIND, *CORNERS_ACROSS, *ACROSS)
 AT_ONCE, UNREAD, OVER_ALL = (
     Turns(_OF_ALL),
     Turns(_OF_THE_UNREAD),
-    Turns((*FALLEN, *ONE_TOPPED, *TOLD_OF_BOTH, *CONTRASTS_ACROSS, *BEFORE_AND_AFTER, *_LAST_ACROSS)),
+    Turns(
+        (
+            *FALLEN,
+            *OFF_ONTO,
+            *WHICHEVER,
+            *OWN_COLOR_ACROSS,
+            *ONE_TOPPED,
+            *TOLD_OF_BOTH,
+            *CONTRASTS_ACROSS,
+            *BEFORE_AND_AFTER,
+            *_LAST_ACROSS,
+        )
+    ),
 )
 
 
@@ -267,7 +285,7 @@ _CHANGES = (
     swapped_over, result_told, palindromes, one_more, all_sides, around_named, some_of_the_letters, row_with_ends,
     other_end_named, rows_by_number, told_by_places, _steps_told, _one_of_each, of_each_color, corners_again,
     not_at_end, of_the_figure, word_again, range_but, not_consecutive, so_many_inside, so_many_on_each,
-    others_elsewhere,
+    others_elsewhere, others_counted, word_of_letters,
 )  # fmt: skip
 """What is told otherwise before the rows are looked for, in this order."""
 

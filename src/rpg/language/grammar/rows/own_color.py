@@ -12,7 +12,7 @@ _BLOCKS = "(?:blocks|cubes|bricks|boxes|block|cube|brick|box)"
 _MATS = f"(?:{PATCHES}|{PATCH})"
 _A = f"(?:an? |one |the )?({COLOR})(?: one)?"
 _LISTS = (
-    (f"{_A} and {_A}", "a {0} and a {1}"),
+    (f"{_A}(?: and| ,| , and) {_A}", "a {0} and a {1}"),
     (f"{_A} , {_A}(?: ,| and| , and) {_A}", "a {0} , a {1} and a {2}"),
     (f"{_A} , {_A} , {_A}(?: ,| and| , and) {_A}", "a {0} , a {1} , a {2} and a {3}"),
 )
@@ -30,6 +30,18 @@ _OWN = ("(?:(?:of|in|with|that has|which has|having) (?:its(?: own)?|their own|t
         "(?:matches "
         "it|matches its(?: own)? color|is of its(?: own)? color))")  # fmt: skip
 _NONE = "no block may be on the patch of its own color"
+_HUE = f"(?:the |an? |one )?{COLOR}(?: {_BLOCK}| {PATCH}| one)?"
+_HUES = f"{_HUE}(?:(?: ,| and| , and) {_HUE})+"
+_TOLD = (
+    f"(?:(?:(?:we|you|i) have|there (?:is|are)|(?:the )?(?:{MANY} )?(?:available "
+    f")?(?:colors|{_BLOCKS}|{PATCHES})(?: used)? "
+    f"(?:are|:)) {_HUES})"
+)
+_EACH_HAS = (
+    f"(?:each|every) ({PATCH}) (?:{MUST} )?(?:gets?|has|have|holds?|carry|carries|receives?|bears?) (?:exactly )?"
+    f"(?:one|an?|the) {_BLOCK} {_OWN}(?: on it)?"
+)
+_OVER_ALL = "each block must be on the {{{}}} of the same color"
 
 
 def _stocks() -> tuple[Turn, ...]:
@@ -54,7 +66,19 @@ def _stocks() -> tuple[Turn, ...]:
     return tuple(rows)
 
 
+OWN_COLOR_ACROSS: tuple[Turn, ...] = (
+    # one block of each color: what each patch has tells where each block is
+    (f"^{_EACH_HAS} [.,:;] ({_TOLD}) ?\\.?$", f"{_OVER_ALL.format(1)} . {{2}} ."),
+    (f"^({_TOLD}) [.,;] {_EACH_HAS} ?\\.?$", f"{_OVER_ALL.format(2)} . {{1}} ."),
+    # what is there is told in two sentences
+    (f"^([^.]*\\b(?:{_MATS}|{_BLOCKS})\\b[^.]*) \\. (?:and )?((?:the |an? )?(?:{MANY} )?(?:{_BLOCKS}|{_MATS}) {_SAME}) "
+     "(?=[.,:])", "{1} and {2}"),
+)  # fmt: skip
+"""The same over a whole text."""
 OWN_COLOR_AT_ONCE: tuple[Turn, ...] = (
+    (f"\\b((?:each|every) (?:of the )?(?:{MANY} )?{_BLOCKS}(?: {IS})?(?: of them)? (?:on|onto|to)) (?:the|an?) same "
+     f"(?:- )?"
+     f"colored ({PATCH})\\b", "{1} the {2} of the same color"),
     (f"^(?:{PUT} |(?:i|we) (?:want|would like) )?(?:all|each|every)(?: one)?(?: of)?(?: the)?(?: {MANY})? {_BLOCKS}(?: "
      f"{IS}|(?: to)? (?:be|go|lie|end up))? on (?:an?|some|any|one of the) (?:{PATCH}|{PATCHES})(?: ,)? (?:but|"
      f"and|though|"
@@ -66,6 +90,17 @@ OWN_COLOR_AT_ONCE: tuple[Turn, ...] = (
 """The same in every sentence."""
 OWN_COLOR: tuple[Turn, ...] = (
     *_stocks(),
+    (f"\\b(?:on|onto|to) the ({PATCH}) whose color (?:it (?:shares|has|matches)|matches(?: it| its(?: own)?(?: "
+     f"color)?| "
+     f"that of the {_BLOCK})?|is the same(?: as (?:its(?: own)?|that of the {_BLOCK}))?)(?= [,.:(]|$)",
+     "on the {1} of the same color"),
+    (f"^there are (?:{MANY} )?(?:different )?colors (?:,|:) ({_HUES})$", "the colors are {1}"),
+    (f"^(?:the )?(?:{_BLOCKS} and(?: the)? {_MATS}|{_MATS} and(?: the)? {_BLOCKS}) (?:both )?(?:come|are|exist) "
+     f"in(?: the "
+     f"(?:same )?(?:{MANY} )?colors)? ({_HUES})$", "the colors are {1}"),
+    (f"^(?:for (?:each|every) (?:color|of the (?:{MANY} )?colors)(?: ,|:) ({_HUES})(?: ,)? )there is (?:one|an?) "
+     f"(?:{_BLOCK} "
+     f"and (?:one|an?) {PATCH}|{PATCH} and (?:one|an?) {_BLOCK})$", "the colors are {1}"),
     (f"^(?:{PUT} )?(?:each|every)(?: one)?(?: of the)? {_BLOCKS}(?: {IS})? on (?:an?|some) {PATCH} {_OTHER}$",
      f"every block must be on a patch . {_NONE}"),
     (f"^(?:each|every) {PATCH} (?:(?:{MUST} )?(?:gets?|has|have|holds?|carry|carries|receives?|bears?)) (?:exactly )?"

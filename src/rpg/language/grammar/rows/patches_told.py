@@ -128,6 +128,11 @@ PATCHES_AT_ONCE: tuple[Turn, ...] = (
     (f"^{_CLEAR} ({_HERE}) of ((?:both|all|the|all of the) (?:[^,]|, (?:and )?the )+)$", "take {2} off {1}"),
     (f"^{_CLEAR} ({_HERE}) , (?:on|in) which ((?:(?! at the )[^,])+?) {_LIES}{_NOW}$",
      "at the start , {2} are on {1} . {1} must be empty"),
+    (f"^{_CLEAR} ({_HERE}) [,:] ({THINGS}) (?:(?:(?:that|which) (?:{_LIES}|are|lie)|sitting|lying|standing|resting) "
+     f")?(?:there|on "
+     f"it){_NOW} ({MUST}|goes?|belongs?) (.+)$", "at the start , {2} are on {1} . {2} {3} {4} . {1} must be empty"),
+    (f"^{_CLEAR} ({_HERE}) [,:] ({THINGS}) (?:that|which) {_LIES} (?:there|on it){_NOW} ({MUST}|goes?|belongs?) (.+)$",
+     "at the start , {2} are on {1} . {2} {3} {4} . {1} must be empty"),
     (f"^{_CLEAR} ({_HERE}) , (?:that is|i e|namely)(?: ,)? ([^,]+?) (?:that|which) {_LIES} (?:there|on it){_NOW}$",
      "at the start , {2} are on {1} . {1} must be empty"),
     (f"^{_CLEAR} ({_HERE}) [:,] ({THINGS}) (?:(?:that|which) {_LIES}|sitting|lying|standing|resting) (?:there|on "
@@ -144,6 +149,13 @@ PATCHES_AT_ONCE: tuple[Turn, ...] = (
      "{2} must be on the {1} . {3} must not be on the {1}"),
     (f"^neither (.+?) nor (.+?) (?:may|must|should|can) (?:be|lie|go|stand) ((?:on|in) {_HERE}) , only (the .+)$",
      "{1} and {2} must not be {3} . {4} must be {3}"),
+    # what both of them hold
+    (f"^both (?:of (?:the |these ))?(?:the )?(?:two )?({PATCHES}) {_GET} (?=an? "
+     f"(?:tower|stack|row|pile|line)\\b)((?:(?! each$).)+?)"
+     f"{_ON_IT}(?: each)?$", "put {2} on both {1}"),
+    # so many here, and one there
+    (f"^({_DEAL} {MANY}) ((?:{COLOR} )?)({BLOCK}s|bricks) ((?:on|in|onto|into) the(?: \\w+){{1,2}}?)(?: ,| and| , and) "
+     "one (?=(?:on|in|onto|into) the )", "{1} {2} {3} {4} and one {2} block "),
     # what each of them holds
     (f"^for each of the colors ({COLOR}) and ({COLOR})(?: ,)? (stack|put|place) the ({MANY}) (blocks|cubes) of "
      f"(?:the|that) color on the ({PATCH}) {_ITS_COLOR}$", "{3} {4} {1} and {4} {2} {5} on the {6s} of the same color"),

@@ -8,12 +8,14 @@ from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import COLOR, LINE, MANY, MUST, PATCH, PATCHES
 
 _BLOCKS = "(?:blocks|cubes|bricks|boxes|ones)"
+_BLOCK = "(?:block|cube|brick|box)"
 _GO = f"(?:{MUST} (?:all )?(?:be|go|lie|stand)(?: put| placed)?|go|goes|lie|are|is|stand|belong)"
 _SIDE = ("((?:directly |immediately |right |just )?(?:behind|in front of|next to|beside|(?:to the |on the )?"
          "(?:left|right) of))")  # fmt: skip
 _THERE = f"there (?:is|{MUST} be|{MUST} stand|{MUST} lie|stands|lies|are)"
 _ONE = f"((?:exactly one|one|an?) (?:{COLOR} )?(?:\\w+))"
 _KINDS = "(?:vowels?|consonants?|letters?|digits?|(?:odd|even) (?:ones?|numbers?|digits?|blocks?|cubes?))"
+_KIND = "((?:even |odd )?(?:number|digit)|(?:even|odd) (?:block|cube)|vowel|consonant|letter)"
 _LABELS = f"(?:{LABEL} to {LABEL}|{LABEL}(?:(?: , and| ,| and)? {LABEL})*)"
 _AS_MANY = "(?:(?:just |exactly )?as many|the same number of|an equal number of)"
 _TWO = f"(?:the (?:two )?{PATCHES}|two {PATCHES}|an? {PATCH}|one of (?:the )?(?:two |these )?{PATCHES})"
@@ -33,6 +35,14 @@ _ON = f"(on the (?:{COLOR} )?{PATCH})"
 
 _NOT_ALL = f"not all(?: of (?:them|these|those)| (?:the )?{MANY}(?: of them)?)?"
 
+_LISTED = f"\\b(?:letters|numbers|digits|cubes|blocks|available|are)(?: are| :)? {LABEL}(?: ,| and| , and| to) {LABEL}"
+
+WHICHEVER: tuple[Turn, ...] = tuple(
+    (f"^(?=.*{_LISTED})((?:.*(?:[.,;] |\\band ))?(?:please )?(?:{PUT} )?){det} {_KIND}(?: {_BLOCK})? "
+     f"(?={_GO} (?:on|in) |(?:on|onto|in|into) (?:the|an?|each) )", f"{{1}} {some} one of the {{2s}}")
+    for det, some in (("an?", "at least"), ("(?:exactly )?one", "exactly"))
+)  # fmt: skip
+"""Over a whole text: "a vowel" of letters that are listed is any of them."""
 EACH_THERE: tuple[Turn, ...] = (
     # some, but not all
     (f"^(at least|more than|no fewer than|not fewer than) ({MANY}) of (.+?) ({_GO}) ((?:on|onto|in|into|to) [^,]+?)"
@@ -56,6 +66,11 @@ EACH_THERE: tuple[Turn, ...] = (
      "put {1} {3} . there must be as many {4} blocks as {2} blocks {3}"),
     (f"^{_ALL} {_GO} {_ON}(?: ,)? (?:and|together with|plus) {_AS_MANY} ({COLOR}) {_BLOCKS}$",
      "{1} must be {3} . there must be as many {4} blocks as {2} blocks {3}"),
+    (f"\\b((?:the same|an equal) number of (?:{COLOR} )?{_BLOCKS}(?: {_GO})? on) {_A} and on {_A}(?= ,| \\(|$)",
+     "{1} the {2} and the {3} patch"),
+    (f"^the number of ((?:{COLOR} )?{_BLOCKS}) (on the (?:\\w+ )?{PATCH}|in the \\w+ half)(?: of the table)? (?:{MUST} "
+     f"equal|equals|(?:{MUST} be|is) (?:equal to|the same as)) (?:the (?:number of \\1|number|one) )?(on the (?:\\w+ )?"
+     f"(?:{PATCH}|one)|in the \\w+ (?:half|one))\\b", "there must be as many {1} {2} as {3}"),
     # among those that are listed
     (f"^(.*?)\\b((?:each|every|all|the) {_KINDS}) (?:among|of|out of) the ({_BLOCKS}|letters|numbers|digits) "
      f"({_LABELS}) (?=(?:{_GO}|rests?|sits?|lies?|has|have)\\b)(.+)$", "there are {3} {4} . {1} {2} {5}"),

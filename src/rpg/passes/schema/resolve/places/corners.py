@@ -11,6 +11,7 @@ from rpg.ir.node import EACH
 from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Amount, In, Meaning, Noun, Pronoun, Traits
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj
+from rpg.passes.schema.resolve.places.different_corners import CORNERS, different_corners
 from rpg.passes.schema.resolve.places.lots import one_lot_each
 from rpg.passes.schema.resolve.places.patches import indefinite
 from rpg.passes.schema.resolve.things.operands import spread
@@ -19,11 +20,12 @@ from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, ref
 
 WITHOUT_CORNERS = ("stack", "towers", "row", "line", "column", "word", "equation", "pile", "group")
 """Structures that no corner is told of."""
-CORNERS = ("far_left_corner", "far_right_corner", "near_left_corner", "near_right_corner")
 
 
 def corners(theme: Ref, meaning: In, scene: Scene, span: Span) -> Atoms:
     """ "a red block in each corner": as many again for every corner; "four blocks in the four corners": one in each."""
+    if meaning.region.startswith("different"):
+        return different_corners(theme, meaning, scene, span)
     if meaning.region.startswith("opposite"):
         return _opposite_corners(theme, meaning, scene, span)
     there = corners_of(meaning.region)

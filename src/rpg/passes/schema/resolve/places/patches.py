@@ -12,6 +12,7 @@ from rpg.ir.schema import COLORS_UNSAID
 from rpg.language.meaning import Amount, Coord, Loc, Meaning, Noun, Pronoun, Traits, replace
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj
 from rpg.passes.schema.resolve.places.lots import one_lot_each
+from rpg.passes.schema.resolve.places.own_patches import by_color
 from rpg.passes.schema.resolve.things.operands import spread
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.second_patch import the_only_patch
@@ -317,6 +318,8 @@ def on_separate_patches(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: 
             wanted=len(units),
             there=len(mark.names),
         )
+    if noun.det == "its" and (own := by_color(units, mark.names, scene)):
+        return [r.OnPatch(a=unit, patch=patch, span=span) for unit, patch in own]
     return [dealt(units, mark.names, span)]
 
 

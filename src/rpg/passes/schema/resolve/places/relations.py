@@ -89,7 +89,7 @@ def place(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) 
     if theme.op == "only" and not (isinstance(meaning, Loc) and meaning.landmark is not None):
         raise refuse("misplaced", "'only' does not fit this", theme.span, "say what the other blocks should not do")
     match meaning:
-        case In(region=region) if region.startswith(("each_corner", "opposite_")):
+        case In(region=region) if region.startswith(("each_corner", "opposite_", "different_")):
             return corners(theme, meaning, scene, span)
         case In(vague=True) if of_something_else(theme, meaning, scene):
             raise refuse("ambiguous", f"it is not clear of what this is the {meaning.region.replace('_', ' ')}",

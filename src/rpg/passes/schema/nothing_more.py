@@ -156,8 +156,11 @@ _SO_MANY = f"(?:{'|'.join(sorted(lexicon.NUMBER))}|\\d+)"
 _MANY = f"(?P<n>{_SO_MANY})"
 _THEM = "(?:it|them|there|any of them|the (?:\\w+ )?(?:mat|patch|zone|spot|target|area|pad))"
 _OTHERS = (
-    f"(?:the )?(?:other|others|rest|remaining|third|fourth|fifth|last)(?: {_SO_MANY})?(?: one| ones| block| blocks)?"
+    f"(?:the )?(?:other|others|rest|remaining|third|fourth|fifth|last)(?: {_SO_MANY})?"
+    f"(?: (?:{'|'.join(sorted(lexicon.COLOR))}))?(?: ones?| blocks?| cubes?)?"
 )
+_MAY_BE = "(?:may|can|could) (?:be|go|stay|lie|stand|end up|be put|be placed|be moved to)"
+_ANYWHERE = "(?:anywhere|wherever (?:you|they) (?:like|want))"
 _OFF = f"(?:off|out of|outside(?: of)?|away from|not on|not in)(?: {_THEM})?"
 _STAYS = "(?: is| are| stays?| must be| must stay| remains?| has to stay| have to stay| should be| should stay)?"
 _A_LINE = "(?:a|an|the|this)(?: given| existing)? (?:tower|stack|pile|row|line|column)"
@@ -173,7 +176,9 @@ _TOLD: tuple[tuple[str, Check], ...] = (
      "is)?",
      _anyway),
     ("whichever you (?:like|want|prefer|choose)|whichever of them", _anyway),
-    ("the (?:others?|rest)(?: blocks| ones)? (?:may|can) (?:be )?(?:moved?|go anywhere)(?: freely)?", _anyway),
+    ("the (?:others?|rest)(?: blocks| ones)? (?:may|can) (?:be )?moved?(?: freely)?", _anyway),
+    (f"{_OTHERS} {_MAY_BE} {_ANYWHERE}(?: on the table)?", _anyway),
+    (f"{_OTHERS} {_MAY_BE} {_ANYWHERE} else(?: on the table)?", _so_many_at_most),
     ("(?:leave|leaving) (?:the arrangement|the rest|everything else|it|all else)(?: otherwise)? (?:free|open|as it "
      "comes)", _anyway),
     ("no more(?: and|,| ,)? no (?:less|fewer)", _so_many_there),

@@ -21,6 +21,9 @@ _BESIDE = "(?:behind|in front of|to the left of|to the right of)"
 _NEAR = "(?:nearer|nearest|closer|closest)(?: to (?:me|us|you|the viewer|the robot))?"
 _TWO = f"(?:{_WRITE} )?(?:the words )?{_WORD} and {_WORD}"
 _UNDER = "(?:underneath|below|beneath|under)(?: it| that)?(?: ,)?"
+_SPELL = "(?:let (?:us|'s) )?(?:write|spell)"
+_LOWER = "(?:right |directly |just )?(?:below|under|underneath|beneath)"
+_IN_LETTERS = "(?: (?:with|from|using)(?: the)? (?:letters?|letter (?:blocks|cubes)|blocks|cubes))?"
 _TWO_LINES = f"(?:{_WRITE} )?(?:the word )?{_WORD}{_AND}(?:{_UNDER} )?(?:the word )?{_WORD}"
 _OF = "(?: of (?:digits|numbers|letters|words|blocks|cubes))?"
 _IT = "(?:it|that|this|them|these|those)"
@@ -107,6 +110,14 @@ TWO_ROWS_AT_ONCE: tuple[Turn, ...] = (
      "write {1} in the far row and {2} in the near row"),
     (f"^(?:write|spell)(?: the word)? {_WORD}(?: ,)? and(?: ,)? ({_BESIDE}) it(?: ,)?(?: the word)? {_WORD}$",
      "the word {3} {2} the word {1}"),
+    # on a table what is written below stands nearer to the viewer
+    (f"^{_SPELL}(?: the word)? {_WORD}{_IN_LETTERS}(?: ,)? and(?: ,)? {_LOWER} it(?: ,)?(?: the word)? {_WORD}$",
+     "the word {2} in front of the word {1}"),
+    (f"^{_SPELL}(?: the word)? {_WORD}{_IN_LETTERS}(?: ,)? (?:and|with)(?: the word)? {_WORD} {_LOWER}"
+     "(?: it)?$", "the word {2} in front of the word {1}"),
+    (f"^{_SPELL}(?: the word)? {_WORD} {_LOWER}(?: the word)? {_WORD}$", "the word {1} in front of the word {2}"),
+    (f"^{_SPELL}(?: the word)? {_WORD} (?:right |directly |just )?above(?: the word)? {_WORD}$",
+     "the word {1} behind the word {2}"),
     (f"^((?:write|spell) {_WORD} {_BESIDE} {_WORD}) , each(?: word)? from left to right$", "{1}"),
     (f"^two words ,? ?(?:namely )?{_WORD} and {_WORD} ,(?: with)? {_WORD} ({_BESIDE}) {_WORD}$",
      "the word {3} {4} the word {5}"),

@@ -28,6 +28,9 @@ def told_alone(clause: Clause, spec: Spec) -> Clause:
     if clause.lemma == "leave" and not spec.places:
         spec.manners.append(replace(alone, kind="stay"))
         return clause
+    if clause.mode == "start" and clause.theme is not None and not (spec.places or clause.negated):
+        spec.places.append(Loc(rel="on", landmark=TableTop(span=alone.span), span=alone.span))
+        return clause
     there = spec.places[0] if len(spec.places) == 1 else None
     on = isinstance(there, Loc) and there.rel in ("on", "in") and not isinstance(there.landmark, TableTop)
     if clause.theme is None or clause.negated or not (on or isinstance(there, In)):

@@ -1,0 +1,40 @@
+"""A word that is written below another one stands nearer to the viewer; what may be anywhere adds nothing."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.language.meaning import code_of, means
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Let's write CAT with the letter blocks and right below it DOG.",
+        "Spell CAT, and DOG underneath.",
+        "Write CAT above DOG.",
+    ],
+)
+def test_below_is_nearer(text: str) -> None:
+    assert "The blocks D, O and G must be in front of the blocks C, A and T." in means(text) or (
+        "The blocks C, A and T must be behind the blocks D, O and G." in means(text)
+    )
+
+
+def test_in_a_tower_below_is_below() -> None:
+    assert code_of("Spell CAT down a tower and below it DOG.")
+
+
+@pytest.mark.parametrize("where", ["anywhere else on the table", "anywhere", "anywhere on the table"])
+def test_the_others_may_be_anywhere(where: str) -> None:
+    told = "Exactly two of the four yellow cubes have to be on the gray mat."
+    assert means(f"{told} The remaining yellow cubes may be {where}.") == means(told)
+
+
+def test_else_is_not_there() -> None:
+    assert code_of("At least two of the four yellow cubes are on the gray mat. The others may be anywhere else.")
+
+
+def test_alone_at_the_start_is_on_the_table() -> None:
+    text = "Setup: red is on yellow, blue stands alone. At the end red must be on blue."
+    assert "At the start, the blue block is on the table." in means(text)

@@ -1,4 +1,5 @@
-"""A word that is written below another one stands nearer to the viewer; what may be anywhere adds nothing."""
+"""A word that is written below another one stands nearer to the viewer, what comes after a letter to its
+right; what may be anywhere adds nothing."""
 
 from __future__ import annotations
 
@@ -19,6 +20,12 @@ def test_below_is_nearer(text: str) -> None:
     assert "The blocks D, O and G must be in front of the blocks C, A and T." in means(text) or (
         "The blocks C, A and T must be behind the blocks D, O and G." in means(text)
     )
+
+
+def test_after_a_letter_is_to_its_right() -> None:
+    there = means("Spell CAT and put the yellow block right after the last letter.")
+    assert "The yellow block must be directly to the right of the T block." in there
+    assert "First, the A block" in means("Put the red block on the mat after the A is on the B.")
 
 
 def test_in_a_tower_below_is_below() -> None:

@@ -56,6 +56,8 @@ FIGURES_ASKED_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b(spells?|spelling|reads?|reading|says?|saying) {_WORD} (?:when|if)(?: it is| it's| you| one| i| we)? "
      f"read(?:ing)?(?: it)?(?: ,)? ({_WAY}|downwards?|upwards?)$", "{1} {2} {3}"),
     (f"^({WRITE} (?:it|this|that)) (?:out|down|up)({_CUBES})$", "{1} {2}"),
+    ("\\b(?:using|with|from|out of) the (?:number|digit) (?:cubes|blocks) and (?:the )?(?:(?:plus |equals |operator )?"
+     "signs|symbols|operators|(?:sign|operator|symbol) (?:cubes|blocks))$", "using the cubes"),
     (f"^({WRITE}(?: out)?) {_WORD} (?:in (?:block|capital) letters )?across the (?:table|desk)$", "{1} {2}"),
     (f"^((?:write|spell)(?: out)?) {_WORD} in (?:block|capital) letters$", "{1} {2}"),
     (f"^{_AGREED}(.+?)(?: ,)? and that (.+)$", "{1} . {2}"),

@@ -27,6 +27,8 @@ _ALL_SIDES = (
     "a {1} block must be to the left of {0} , a {1} block to the right of {0} , a {1} block in front of {0} and a {1} "
     "block behind {0}"
 )
+_PLACED = "block|cube|one|it|stands?|goes|comes|is"
+_LETTER = "(the (?:first|last) (?:letter|digit)|the [a-z]|the word \\w{2,})"
 _FAR = "(?:farthest|furthest)"
 _MOST = (f"(?:leftmost|rightmost|frontmost|(?:nearest|closest)(?: to {ME})?|{_FAR}(?: away)?(?: from {ME})?|"
          "topmost|uppermost|lowest|bottommost)")  # fmt: skip
@@ -93,6 +95,10 @@ UTMOST_TOLD: tuple[Turn, ...] = (
      "line|column)(?: on .+)?)$", "{3} must be {4} with {1} {2}"),
     (f"^(.+?) ({_MUST_BE}) (?:the )?({_MOST}){_ONES} (?:of|among|out of|from) (?!an? \\w)(.+)$",
      "there are {4} . {1} {2} {3}"),
+    # in a word, which is read from left to right
+    *((f"\\b({_PLACED}) {how}{where} {_LETTER}(?=$| ,| and| \\.)", f"{{1}} {near}to the {side} of {{2}}")
+      for how, near in (("(?:right |directly |just |immediately )", "directly "), ("", ""))
+      for where, side in (("after", "right"), ("before", "left"))),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
 WORDS = ("belongs flanked forward precedes surround",)

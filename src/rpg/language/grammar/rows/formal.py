@@ -50,6 +50,7 @@ from rpg.language.grammar.rows.lying_there import LYING_THERE_AT_ONCE
 from rpg.language.grammar.rows.moved_off import MOVED_OFF_AT_ONCE, OFF_ONTO
 from rpg.language.grammar.rows.not_at_end import NOT_THERE, NOT_THERE_AT_ONCE, not_at_end
 from rpg.language.grammar.rows.not_consecutive import not_consecutive
+from rpg.language.grammar.rows.noted_down import NOTED_DOWN
 from rpg.language.grammar.rows.of_each_color import of_each_color
 from rpg.language.grammar.rows.on_several import ON_SEVERAL, ON_SEVERAL_AT_ONCE
 from rpg.language.grammar.rows.one_color_each import ONE_COLOR_EACH
@@ -106,6 +107,7 @@ from rpg.language.grammar.rows.written import WRITTEN, WRITTEN_AT_ONCE
 from rpg.language.tokens import Token
 
 _OF_ALL = (
+    *NOTED_DOWN,
     *IN_WRITING,
     *IN_CONVERSATION,
     *CONTRASTS,

@@ -43,9 +43,7 @@ _ORDER_WAS = (
     f"^(?:{TIME} ,? ?)?(?:the|an?) ({LINE})(?: of (?:blocks|cubes))?(?: {TIME})? (?:reads?|is|goes|shows|has the order)"
     f"(?: {TIME})?(?:{_WAY})?(?: :)? ({LIST})(?:{_WAY})?(?: {TIME})?(?: \\.| ,)?(?: and| but)? "
 )
-_ORDER_WILL_BE = (
-    f"(?:{END} ,? ?)?(?:(?:it|the \\1) )?(?:{MUST} |make it )(?:read|be|go|show|have the order)(?: {END})?"
-)
+_ORDER_WILL_BE = f"(?:{END} ,? ?)?(?:(?:it|the \\1) )?(?:{MUST} |make it )(?:read|be|go|show|have the order)(?: {END})?"
 """A line that is told twice, with the order of its colours at the start and at the end."""
 
 BEFORE_AND_AFTER: tuple[Turn, ...] = (

@@ -21,7 +21,10 @@ TIME = (
 _LED = f"(?:{TIME} (?:, )?)"
 _AT_START = f"(?=.*\\b(?:{TIME}|(?:we|you) (?:start|begin) with\\b))"
 """Somewhere in the sentence it is said that this is so at the beginning."""
-END = f"(?:(?:(?:at|by) the end of|after) the {EVENT}|(?:at|in) the end|finally|afterwards|when (?:you are|all is|everything is) done)"
+END = (
+    f"(?:(?:(?:at|by) the end of|after) the {EVENT}|"
+    "(?:at|in) the end|finally|afterwards|when (?:you are|all is|everything is) done)"
+)
 STARTS = "(?:starts?|begins?)(?: out| off)?"
 SITS = f"(?:{LIES}|(?:is|are) (?:lying|sitting|standing|located|placed|resting)|{STARTS})"
 ONE = f"(?:(?:the |an? )?{COLOR}(?: {BRICK}| one)?)"
@@ -104,6 +107,8 @@ BEGUN_AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:please )?(take|remove|lift|pick|get|move) ({ONE}) (?:up |away )?(?:off|from) (?:the )?top of (?:the|an?) "
      f"(tower|stack) (?:of |with |made of |from )?({LIST})(?: blocks| cubes)?(?= and |$)",
      "at the start there is a {3} of {4} with {2} on top . {1} {2}"),
+    ("^to (?:get (?:to|at)|reach|access|free) [^,]*?\\b(?:of|in|under) (the (?:tower|stack)\\b.*?) , ((?:please )?"
+     "(?:first )?(?:unstack|dismantle|take apart|take down)) it\\b", "{2} {1}"),
     # two of whom each begins somewhere and goes elsewhere
     (f"^({_ONE_OF_TWO})(?: ,)?(?: and| while| whereas| but|(?<= ,)) ({_ONE_OF_TWO})$", "{1} . {2}"),
     # how it is, and what becomes of it, in one sentence

@@ -41,8 +41,8 @@ BESIDES_AT_ONCE: tuple[Turn, ...] = (
      "standing)?(?: around| present| there| nearby)? on the table$", "{1} . there are {2}"),
     (f"^({_LIE}{_LOTS}) you (should|must|can|may) (?=ignore\\b)", "{1} which you {2} "),
     # when it is so
-    (f"\\b(the|this|our|my|each|every|a) {_SHOWN}(?= (?:{MUST} )?(?:ends?|finish|finishes|stops?|closes?|concludes?|starts?|begins?|"
-     "is (?:over|done|finished|complete))\\b)", "{1} episode"),
+    (f"\\b(the|this|our|my|each|every|a) {_SHOWN}(?= (?:{MUST} )?(?:ends?|finish|finishes|stops?|closes?|concludes?|"
+     "starts?|begins?|is (?:over|done|finished|complete))\\b)", "{1} episode"),
     (f"\\b(start|beginning|end|finish) of (the|this|our|my|each|every) {_SHOWN}\\b", "{1} of {2} episode"),
     (f"^(?:after|following|at the end of|by the end of) (?:the|an|each|every) {_RUN}(?: ,)? (?=\\w)", "at the end ,"),
     # which of two
@@ -70,5 +70,6 @@ BESIDES: tuple[Turn, ...] = (
 )  # fmt: skip
 """What makes no sense as it stands."""
 WORDS = ("distraction distractions harder trickier episode rollout execution simulation destination waiting "
-         "demonstration video clip recording animation film movie session parked importance unimportant irrelevant relevant whether",)  # fmt: skip
+         "demonstration video clip recording animation film movie session parked "
+         "importance unimportant irrelevant relevant whether",)  # fmt: skip
 """Words that these take besides those that are read anyway."""

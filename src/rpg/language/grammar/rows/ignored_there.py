@@ -1,5 +1,5 @@
-"""Blocks that lie about and are not meant: "there are two brown ones lying around too, just ignore them", "you will also
-see a pink cube, but do not use it"."""
+"""Blocks that lie about and are not meant: "there are two brown ones lying around too, just ignore them", "you will
+also see a pink cube, but do not use it"."""
 
 from __future__ import annotations
 
@@ -49,9 +49,11 @@ def _rows(lots: str, said: str) -> tuple[Turn, ...]:
 
 IGNORED_THERE: tuple[Turn, ...] = (
     *_rows(_LOTS, _not_meant("them|these(?: ones)?|those(?: ones)?|both", "they|these|those")),
-    (f"\\b(?:ignore|disregard) (?:everything else|anything else|all else|(?:all )?the (?:rest|others|other things|other "
-     f"blocks|other cubes))(?: on the table| there| you see)*(?: :| ,)(?: namely)? ({_LOTS}){_AROUND}{_END}",
-     "there are {1} as distractors"),
+    (
+        "\\b(?:ignore|disregard) (?:everything else|anything else|all else|(?:all )?the (?:rest|others|other (?:things|"
+        f"blocks|cubes)))(?: on the table| there| you see)*(?: :| ,)(?: namely)? ({_LOTS}){_AROUND}{_END}",
+        "there are {1} as distractors",
+    ),
     *_rows(_ONE, _not_meant("it|this one|that one", "it|this one|that one")),
 )
 """Over a whole text: what is looked for, and what is said instead."""

@@ -23,9 +23,10 @@ KEPT_AT_ONCE: tuple[Turn, ...] = (
      "nothing but the {1} block may be moved"),
     (f"^(?:and |but )?only ({THING}) (?:may|can|is allowed to) (?:be )?(?:moved|move|touched|change places?)$",
      "nothing but {1} may be moved"),
-    (f"^(?:you|we|the robot) (?:(?:may|can|must) (?:only (?:move|touch)|(?:move|touch) only)|(?:is|are) only allowed to "
-     f"(?:move|touch)) ({THING})$", "nothing but {1} may be moved"),
-    (f"^(?:(?:please|can|could|you) )*move ({THING})(?: ,)? but not ({THING})$", "{1} must be moved . {2} must stay where it is"),
+    ("^(?:you|we|the robot) (?:(?:may|can|must) (?:only (?:move|touch)|(?:move|touch) only)|(?:is|are) only allowed "
+     f"to (?:move|touch)) ({THING})$", "nothing but {1} may be moved"),
+    (f"^(?:(?:please|can|could|you) )*move ({THING})(?: ,)? but not ({THING})$",
+     "{1} must be moved . {2} must stay where it is"),
     (f"^({_PUT} {THING}) (on|in|to|onto|into) (the [^,]+?)(?: ,)? and (?:no other blocks?|no others?|nothing else)(?: "
      "may be| is)? "
      "there$", "{1} {2} {3} . no other block may be {2} {3}"),

@@ -6,7 +6,7 @@ import pytest
 
 from tests.language.meaning import code_of, means
 
-RED_ON_BLUE = "There are a red block and a blue block.\nThe red block must be on the blue block."
+RED_ON_BLUE = "There are a red block and a blue block. The red block must be on the blue block."
 
 
 @pytest.mark.parametrize(

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 from rpg.language.headings import ENDS
 from rpg.language.headlines import tells_nothing_else
@@ -38,7 +39,7 @@ def field(tokens: Sequence[Token], at: int) -> int:
         graded = all(t.kind == "number" or t.word in _GRADED or len(t.word) == 1 for t in told)
         return end + 1 if graded or called == ("author",) else at
     words = [token for token in told if token.kind not in ("quote", "punct")]
-    aimed = any(t.word in ("goal", "start") and u.word == ":" for t, u in zip(behind, behind[1:], strict=False))
+    aimed = any(one.word in ("goal", "start") and other.word == ":" for one, other in pairwise(behind))
     named = all(tells_nothing_else(words, n, behind) for n in range(len(words)))
     return end + 1 if named and (aimed or called != ("task",)) else at
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 from rpg.language.grammar.rows.begun import END, LIST, TIME, UP
 from rpg.language.grammar.rows.said_short import LABEL, PLACE, THING, THINGS
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, LINE, MANY, MUST
+from rpg.language.grammar.rows.vocabulary import COLOR, LINE, MANY, MUST, PATCHES
 
 _IS = "(?:is|are|lies|lie|stands|stand|sits|sit)"
 _HAS_TO = f"(?:{MUST}|has to|have to)"
@@ -47,6 +47,8 @@ _ORDER_WILL_BE = f"(?:{END} ,? ?)?(?:(?:it|the \\1) )?(?:{MUST} |make it )(?:rea
 """A line that is told twice, with the order of its colours at the start and at the end."""
 
 BEFORE_AND_AFTER: tuple[Turn, ...] = (
+    (f"^((?:swap|exchange|switch) (?:the )?(?:two )?(?:blocks|cubes)) on the (?:two )?{PATCHES} \\. ([^.]+? (?:is|lies|"
+     "starts|stands|sits) on [^.]+)(?= \\.|$)", "at the start , {2} . swap the two"),
     (f"{_ORDER_WAS}{_ORDER_WILL_BE}(?: :)? ({LIST}){_WAY}(?: {END})?(?= \\.|$)",
      "at the start there is a {1} : {3} {2} {4} . build a {1} : {5} {6}"),
     (f"{_ORDER_WAS}{_ORDER_WILL_BE}(?: :)? ({LIST})(?: {END})?(?= \\.|$)",

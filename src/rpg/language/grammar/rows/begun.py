@@ -193,8 +193,11 @@ BEGUN_AT_ONCE: tuple[Turn, ...] = (
      "(?:there|here)(?: ,)? and (.+)$", "at the start there is a {1} of {2} . {3}"),
     (f"^({_UNDO}(?: the order of)?) (?:the|an?) ({LINE}) {WHICH} (?:{STARTS} (?:as|with)|is|has) ({CHAIN})$",
      "at the start there is a {2} of {3} . {1} it"),
-    (f"^({_UNDO}(?: the order of)?) (?:the|an?) ({LINE}) {WHICH} (?:{STARTS} (?:as|with)|is|has) ({ORDER})$",
+    (f"^({_UNDO}(?: the order of)?) (?:the|an?) ({LINE})(?: of {MANY} {BRICK}s)?(?: ,)? {WHICH} (?:is|has|"
+     f"{STARTS} (?:as|with)) ({ORDER})$",
      "at the start there is a {2} : {3} . {1} it"),
+    (f"^the (?:final|finished|resulting|completed) ({LINE})(?: of {BRICK}s)? (?:has(?: the order)?|is|reads|shows|"
+     f"{MUST} (?:be|have|read|have the order))(?: :)? ({ORDER})$", "build a {1} : {2}"),
     # what is on a patch, told aside
     (f"^(?:clear|empty) ({MARK}) , (?:where|on which) (.+?) {SITS}(?: {TIME})?$", "at the start , {2} is on {1} . "
      "clear {1}"),

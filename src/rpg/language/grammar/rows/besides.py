@@ -40,6 +40,8 @@ BESIDES_AT_ONCE: tuple[Turn, ...] = (
     (f"^(.+?)(?: ,)? with ((?:{_MANY} \\w+(?: and | , ))?{_MANY} (?:\\w+ )?distractors?(?: {BLOCK}s?)?)(?: lying| "
      "standing)?(?: around| present| there| nearby)? on the table$", "{1} . there are {2}"),
     (f"^({_LIE}{_LOTS}) you (should|must|can|may) (?=ignore\\b)", "{1} which you {2} "),
+    (f"^the table (?:also )?(?:has|holds|carries) ({_LOTS})(?: (?:lying )?on it)?(?: too| as well| also)?"
+     "(?= (?:that|which) |$)", "there are {1}"),
     # when it is so
     (f"\\b(the|this|our|my|each|every|a) {_SHOWN}(?= (?:{MUST} )?(?:ends?|finish|finishes|stops?|closes?|concludes?|"
      "starts?|begins?|is (?:over|done|finished|complete))\\b)", "{1} episode"),

@@ -40,8 +40,8 @@ from rpg.language.grammar.rows.in_writing import IN_WRITING
 from rpg.language.grammar.rows.kept_and_moved import FALLEN, KEPT_AND_MOVED, KEPT_AT_ONCE
 from rpg.language.grammar.rows.labels_counted import labels_counted
 from rpg.language.grammar.rows.labels_there import LABELS_THERE
-from rpg.language.grammar.rows.letters_of_a_word import LETTERS_OF_A_WORD, word_of_letters
 from rpg.language.grammar.rows.leave_to_move import leave_to_move
+from rpg.language.grammar.rows.letters_of_a_word import LETTERS_OF_A_WORD, word_of_letters
 from rpg.language.grammar.rows.lines import LINED_AT_ONCE, MIRRORS_AT_ONCE, RAINBOWS_AT_ONCE
 from rpg.language.grammar.rows.listed_lines import listed_lines
 from rpg.language.grammar.rows.listed_of_all import listed_of_all

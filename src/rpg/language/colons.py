@@ -14,12 +14,16 @@ _WANTED = frozenset({
 """With these nothing is told of how it is."""
 _ASKED = frozenset({"must", "should", "shall"})
 _AHEAD = frozenset({"please", "now", "so", "just", "then"})
+_TAKES = frozenset({"clear", "empty", "free", "unstack", "dismantle", "remove", "take", "move", "get", "lift"})
+_FIRST = frozenset({"first", "firstly", ","})
+"""What is taken away, or goes from where it is: behind such a command a fact tells where that was."""
 _PLACES = frozenset({"on", "onto", "in", "at", "under", "behind", "next", "left", "right", "beside", "there", "stacked",
                      "between", "above", "upon", "atop"})  # fmt: skip
 
 
 def told_first(parts: list[list[Token]]) -> list[list[Token]]:
-    """The sentences, a fact and the command behind its colon being two of them; so are a command and how it ends."""
+    """The sentences, a fact and the command behind its colon being two of them; so are a command and how it ends, and
+    "clear the mat" and what is on it."""
     out: list[list[Token]] = []
     for part in parts:
         words = [token.word for token in part]
@@ -32,11 +36,19 @@ def told_first(parts: list[list[Token]]) -> list[list[Token]]:
         verb = words[begun] if begun < len(words) else ""
         asked = verb in lexicon.COMMANDS or not _ASKED.isdisjoint(words[begun:])
         ended = words[colon + 1 : colon + 4] in (["in", "the", "end"], ["at", "the", "end"])
-        if colon and ((fact and asked) or (ended and _commands(words[:colon]))):
+        if colon and ((fact and asked) or (ended and _commands(words[:colon])) or _taken_from(words, colon)):
             out += [part[:colon], part[colon + 1 :]]
         else:
             out.append(part)
     return out
+
+
+def _taken_from(words: list[str], colon: int) -> bool:
+    """ "(First) clear the mat: red is on it", "move red: it is on the mat"."""
+    verb = next((word for word in words if word not in _AHEAD | _FIRST), "")
+    told = {*words[colon + 1 :]}
+    so = bool(told & _SO_IS) and bool(told & _PLACES) and told.isdisjoint(_WANTED - {"it", "this", "that"})
+    return verb in _TAKES and so
 
 
 def _commands(words: list[str]) -> bool:

@@ -37,7 +37,7 @@ _BEFORE = re.compile(
 _AFTER = re.compile(
     "post|post ?conditions?|after|afterwards|then|later|goal|task|end|finish|final|finally|success|output|target|new|"
     "result|out|to|to be|tomorrow|wanted|desired|required|"
-    f"(?:desired|wanted|required|resulting|success|new|final|end|goal|target) {_STATE}|{_STATE} after|"
+    f"(?:desired|wanted|required|resulting|success|new|final|end|ending|finishing|goal|target) {_STATE}|{_STATE} after|"
     f"after {_EVENT}|what (?:should be there|there should be|we want|you want|i want|we need|it should be)"
 )
 """Of such headings it is clear what they stand over where one of each kind stands in a text."""

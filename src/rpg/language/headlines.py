@@ -37,7 +37,7 @@ def headline(tokens: Sequence[Token]) -> int:
     place = _placed(told)
     words = [token.word for token in told[:place]]
     named = not TESTS.isdisjoint(words) or any(is_strange(word) or _done(word) for word in words)
-    plain = all(_tells_nothing_else(told[:place], n, behind) for n in range(place))
+    plain = all(tells_nothing_else(told[:place], n, behind) for n in range(place))
     if not named or not plain or not ordered_again(words, behind):
         return 0
     if place < end:
@@ -49,7 +49,7 @@ def named_errand(tokens: Sequence[Token], behind: Sequence[Token]) -> bool:
     """Whether a first sentence names what sort of task the others tell: "Unstacking task."."""
     words = [token.word for token in tokens]
     sort = len(words) == 2 and words[1] in TESTS and _done(words[0])
-    return sort and _tells_nothing_else(tokens, 0, behind) and ordered_again(words, behind)
+    return sort and tells_nothing_else(tokens, 0, behind) and ordered_again(words, behind)
 
 
 def _placed(told: Sequence[Token]) -> int:
@@ -61,7 +61,8 @@ def _placed(told: Sequence[Token]) -> int:
     return len(told)
 
 
-def _tells_nothing_else(told: Sequence[Token], n: int, behind: Sequence[Token]) -> bool:
+def tells_nothing_else(told: Sequence[Token], n: int, behind: Sequence[Token]) -> bool:
+    """Whether a word of a headline tells nothing, or nothing but what is told again behind it."""
     word = told[n].word
     if word == ",":
         return True

@@ -82,9 +82,19 @@ def command_behind(words: Sequence[str]) -> int:
             words[at - 1] in ("is", ":") and not _ALL_SAID.isdisjoint(words[begin:at])
         )
         if words[at] in lexicon.COMMANDS and handed and words[at + 1] not in ("to", "that", "sure"):
-            found = at if _leads_in(words[begin:at]) else found
+            found = at if _leads_in(words[begin:at]) and not _permits(words[begin:at], words[at:]) else found
     return found
 
+
+def _permits(lead: Sequence[str], told: Sequence[str]) -> bool:
+    """ "You may move the blue block": leave, and no command, where nothing is said of where to."""
+    given = bool(lead) and lead[0] not in _MODAL and not _LEAVE.isdisjoint(lead)
+    return given and told[0] in _MOVING and _WHERE_TO.isdisjoint(told)
+
+
+_LEAVE = listed("may might can could allowed permitted free")
+_MOVING = listed("move touch shift")
+_WHERE_TO = listed("to on onto in into over by away back from off up left right next behind under between cm")
 
 _THINGS = listed("it they this that everything")
 _AGENTS = listed(

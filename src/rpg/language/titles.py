@@ -8,6 +8,7 @@ passed over.
 from __future__ import annotations
 
 from rpg.language import lexicon
+from rpg.language.fields import field
 from rpg.language.grammar.talk.people import PEOPLE
 from rpg.language.headings import ENDS, headed
 from rpg.language.slips import slips_of
@@ -27,7 +28,7 @@ _TEXTS = listed(
     "task job note notes memo benchmark exercise lesson game puzzle test drill challenge mission demo experiment "
     "assignment homework quiz reminder request ticket prompt problem question activity scenario episode round level "
     "log message brief riddle story report worksheet project trial announcement command skill errand description "
-    "caption summary check checks statement station workstation baseline ablation"
+    "caption summary check checks exam statement station workstation baseline ablation"
 ) | (_NUMBERED - {"scene", "number", "instruction", "no", "id", "run"})
 """What a title calls its text."""
 _NOTES = listed("note notes memo message caption description summary story")
@@ -75,7 +76,7 @@ def untitled(tokens: list[Token]) -> list[Token]:
     at = 0
     while at < len(tokens):
         if not out or out[-1].word in ENDS:
-            end = _title(tokens, at)
+            end = max(field(tokens, at), _title(tokens, at))
             if end > at:
                 at = end
                 continue

@@ -3,9 +3,10 @@ not at the end", "brown isn't on pink yet. Change that.", as rows that tell the 
 
 from __future__ import annotations
 
+from rpg.language.grammar.rows.begun import END, LIST, TIME, UP
 from rpg.language.grammar.rows.said_short import LABEL, PLACE, THING, THINGS
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, MANY, MUST
+from rpg.language.grammar.rows.vocabulary import COLOR, LINE, MANY, MUST, PATCHES
 
 _IS = "(?:is|are|lies|lie|stands|stand|sits|sit)"
 _HAS_TO = f"(?:{MUST}|has to|have to)"
@@ -37,8 +38,21 @@ def _other_side(one: str, said: str, other: str) -> Turn:
 
 _FROM = "(?: ,)?(?: in order)?(?: ,)? (?:beginning|starting) (?:with|from|at)"
 """What is laid or stacked first, of what stands in an order already: the others follow in that order."""
+_WAY = f"(?: ,)?(?: \\()? ({UP})(?: \\))?"
+_ORDER_WAS = (
+    f"^(?:{TIME} ,? ?)?(?:the|an?) ({LINE})(?: of (?:blocks|cubes))?(?: {TIME})? (?:reads?|is|goes|shows|has the order)"
+    f"(?: {TIME})?(?:{_WAY})?(?: :)? ({LIST})(?:{_WAY})?(?: {TIME})?(?: \\.| ,)?(?: and| but)? "
+)
+_ORDER_WILL_BE = f"(?:{END} ,? ?)?(?:(?:it|the \\1) )?(?:{MUST} |make it )(?:read|be|go|show|have the order)(?: {END})?"
+"""A line that is told twice, with the order of its colours at the start and at the end."""
 
 BEFORE_AND_AFTER: tuple[Turn, ...] = (
+    (f"^((?:swap|exchange|switch) (?:the )?(?:two )?(?:blocks|cubes)) on the (?:two )?{PATCHES} \\. ([^.]+? (?:is|lies|"
+     "starts|stands|sits) on [^.]+)(?= \\.|$)", "at the start , {2} . swap the two"),
+    (f"{_ORDER_WAS}{_ORDER_WILL_BE}(?: :)? ({LIST}){_WAY}(?: {END})?(?= \\.|$)",
+     "at the start there is a {1} : {3} {2} {4} . build a {1} : {5} {6}"),
+    (f"{_ORDER_WAS}{_ORDER_WILL_BE}(?: :)? ({LIST})(?: {END})?(?= \\.|$)",
+     "at the start there is a {1} : {3} {2} {4} . build a {1} : {5} {2} {4}"),
     (f"(\\b(?:tower|stack|pile)\\b.* \\. [^.]*\\brow\\b[^.,]*?)(?: from left to right)?{_FROM} the (top|bottom)"
      "(?:most)?(?: one| block| cube)?(?= \\.|$)", "{1} in the same order , the {2} one at the left"),
     ("(\\b(?:upside down|on its (?:side|head|back)|sideways)\\b.* \\.) (?:please )?(?:set|put|turn|make) it right(?: "

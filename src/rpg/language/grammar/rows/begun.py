@@ -21,7 +21,10 @@ TIME = (
 _LED = f"(?:{TIME} (?:, )?)"
 _AT_START = f"(?=.*\\b(?:{TIME}|(?:we|you) (?:start|begin) with\\b))"
 """Somewhere in the sentence it is said that this is so at the beginning."""
-END = f"(?:at the end of the {EVENT}|(?:at|in) the end|finally|afterwards|when (?:you are|all is|everything is) done)"
+END = (
+    f"(?:(?:(?:at|by) the end of|after) the {EVENT}|"
+    "(?:at|in) the end|finally|afterwards|when (?:you are|all is|everything is) done)"
+)
 STARTS = "(?:starts?|begins?)(?: out| off)?"
 SITS = f"(?:{LIES}|(?:is|are) (?:lying|sitting|standing|located|placed|resting)|{STARTS})"
 ONE = f"(?:(?:the |an? )?{COLOR}(?: {BRICK}| one)?)"
@@ -101,6 +104,11 @@ BEGUN_AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:start|initial state|starting (?:state|scene|position)) : "
      f"(?=.*\\b(?:{TIME}|starts?|begins?|starting)\\b)", ""),
     (f"(^|: )when (?:you are|everything is|all is) (?:done|finished)(?: ,)? (?={_THEM}\\b)", "{1} at the end , "),
+    (f"^(?:please )?(take|remove|lift|pick|get|move) ({ONE}) (?:up |away )?(?:off|from) (?:the )?top of (?:the|an?) "
+     f"(tower|stack) (?:of |with |made of |from )?({LIST})(?: blocks| cubes)?(?= and |$)",
+     "at the start there is a {3} of {4} with {2} on top . {1} {2}"),
+    ("^to (?:get (?:to|at)|reach|access|free) [^,]*?\\b(?:of|in|under) (the (?:tower|stack)\\b.*?) , ((?:please )?"
+     "(?:first )?(?:unstack|dismantle|take apart|take down)) it\\b", "{2} {1}"),
     # two of whom each begins somewhere and goes elsewhere
     (f"^({_ONE_OF_TWO})(?: ,)?(?: and| while| whereas| but|(?<= ,)) ({_ONE_OF_TWO})$", "{1} . {2}"),
     # how it is, and what becomes of it, in one sentence
@@ -185,8 +193,11 @@ BEGUN_AT_ONCE: tuple[Turn, ...] = (
      "(?:there|here)(?: ,)? and (.+)$", "at the start there is a {1} of {2} . {3}"),
     (f"^({_UNDO}(?: the order of)?) (?:the|an?) ({LINE}) {WHICH} (?:{STARTS} (?:as|with)|is|has) ({CHAIN})$",
      "at the start there is a {2} of {3} . {1} it"),
-    (f"^({_UNDO}(?: the order of)?) (?:the|an?) ({LINE}) {WHICH} (?:{STARTS} (?:as|with)|is|has) ({ORDER})$",
+    (f"^({_UNDO}(?: the order of)?) (?:the|an?) ({LINE})(?: of {MANY} {BRICK}s)?(?: ,)? {WHICH} (?:is|has|"
+     f"{STARTS} (?:as|with)) ({ORDER})$",
      "at the start there is a {2} : {3} . {1} it"),
+    (f"^the (?:final|finished|resulting|completed) ({LINE})(?: of {BRICK}s)? (?:has(?: the order)?|is|reads|shows|"
+     f"{MUST} (?:be|have|read|have the order))(?: :)? ({ORDER})$", "build a {1} : {2}"),
     # what is on a patch, told aside
     (f"^(?:clear|empty) ({MARK}) , (?:where|on which) (.+?) {SITS}(?: {TIME})?$", "at the start , {2} is on {1} . "
      "clear {1}"),

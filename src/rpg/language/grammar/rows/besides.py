@@ -18,6 +18,7 @@ _HARDER = ("(?:(?:just )?to (?:make (?:it|this|things|the task) (?:a (?:bit|litt
 _AT_FIRST = "(?:at first|(?:at|in) the (?:start|beginning)|initially|originally|now|currently|to begin with)"
 _LIES = "(?:is|are|lies?|stands?|sits?|rests?)(?: located| placed| lying| standing| sitting| situated)?"
 _RUN = "(?:episode|rollout|run|trial|task|execution|game|simulation|test)"
+_SHOWN = "(?:demo|demonstration|video|clip|recording|animation|film|movie|rollout|session)"
 _NO_MATTER = ("(?:it is (?:not important|unimportant|irrelevant|all the same|not relevant)|it (?:does not|makes no) "
               "(?:matter|difference)|no matter|(?:i|we) (?:do not|really do not) (?:mind|care)) which"
               "(?: one| of them| of the two)?(?: it is)?")  # fmt: skip
@@ -39,7 +40,12 @@ BESIDES_AT_ONCE: tuple[Turn, ...] = (
     (f"^(.+?)(?: ,)? with ((?:{_MANY} \\w+(?: and | , ))?{_MANY} (?:\\w+ )?distractors?(?: {BLOCK}s?)?)(?: lying| "
      "standing)?(?: around| present| there| nearby)? on the table$", "{1} . there are {2}"),
     (f"^({_LIE}{_LOTS}) you (should|must|can|may) (?=ignore\\b)", "{1} which you {2} "),
+    (f"^the table (?:also )?(?:has|holds|carries) ({_LOTS})(?: (?:lying )?on it)?(?: too| as well| also)?"
+     "(?= (?:that|which) |$)", "there are {1}"),
     # when it is so
+    (f"\\b(the|this|our|my|each|every|a) {_SHOWN}(?= (?:{MUST} )?(?:ends?|finish|finishes|stops?|closes?|concludes?|"
+     "starts?|begins?|is (?:over|done|finished|complete))\\b)", "{1} episode"),
+    (f"\\b(start|beginning|end|finish) of (the|this|our|my|each|every) {_SHOWN}\\b", "{1} of {2} episode"),
     (f"^(?:after|following|at the end of|by the end of) (?:the|an|each|every) {_RUN}(?: ,)? (?=\\w)", "at the end ,"),
     # which of two
     (f"(?: ,)?(?: and| but)? {_NO_MATTER}$", ""),
@@ -66,5 +72,6 @@ BESIDES: tuple[Turn, ...] = (
 )  # fmt: skip
 """What makes no sense as it stands."""
 WORDS = ("distraction distractions harder trickier episode rollout execution simulation destination waiting "
-         "parked importance unimportant irrelevant relevant whether",)  # fmt: skip
+         "demonstration video clip recording animation film movie session parked "
+         "importance unimportant irrelevant relevant whether",)  # fmt: skip
 """Words that these take besides those that are read anyway."""

@@ -48,6 +48,7 @@ CONTRASTS: tuple[Turn, ...] = (
     ("\\bseparately , (?=one (?:on|for|in) each\\b)", ""),
     (f"^the ({COLOR}) (blocks|cubes) , all ({MANY})(?: of them)?(?: ,)? ", "the {3} {1} {2} "),
     (f"\\b(goes|{MUST} go) there(?: too| as well)?(?: ,)? (on top of|on) ({THING})$", "{1} {2} {3}"),
+    (f"^(.+?) ({MUST}(?: not)?|may not|can not) change its (?:place|position|location|spot)$", "{1} {2} be moved"),
     ("\\b(exchange|switch|trade|change) (?:their )?(?:places|positions)\\b", "swap places"),
     ("^(?:an? )?2 ?d (pyramid)\\b", "a flat {1}"),
     ("\\bthe (\\d) (on top of|on|next to|behind|in front of|to the left of|to the right of|under) the (\\d)(?! "

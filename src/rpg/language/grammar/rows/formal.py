@@ -33,20 +33,24 @@ from rpg.language.grammar.rows.figures import BOARDS, FIGURES
 from rpg.language.grammar.rows.figures_asked import FIGURES_ASKED_AT_ONCE
 from rpg.language.grammar.rows.from_to import FROM_TO
 from rpg.language.grammar.rows.gapped import GAPPED, GAPPED_AT_ONCE
+from rpg.language.grammar.rows.ignored_there import IGNORED_THERE
 from rpg.language.grammar.rows.in_conversation import IN_CONVERSATION, TOLD_OF_BOTH
 from rpg.language.grammar.rows.in_steps import IN_STEPS
 from rpg.language.grammar.rows.in_writing import IN_WRITING
 from rpg.language.grammar.rows.kept_and_moved import FALLEN, KEPT_AND_MOVED, KEPT_AT_ONCE
 from rpg.language.grammar.rows.labels_counted import labels_counted
 from rpg.language.grammar.rows.labels_there import LABELS_THERE
+from rpg.language.grammar.rows.leave_to_move import leave_to_move
 from rpg.language.grammar.rows.letters_of_a_word import LETTERS_OF_A_WORD, word_of_letters
 from rpg.language.grammar.rows.lines import LINED_AT_ONCE, MIRRORS_AT_ONCE, RAINBOWS_AT_ONCE
 from rpg.language.grammar.rows.listed_lines import listed_lines
+from rpg.language.grammar.rows.listed_of_all import listed_of_all
 from rpg.language.grammar.rows.lots_told import LOTS, LOTS_AT_ONCE
 from rpg.language.grammar.rows.lying_there import LYING_THERE_AT_ONCE
 from rpg.language.grammar.rows.moved_off import MOVED_OFF_AT_ONCE, OFF_ONTO
 from rpg.language.grammar.rows.not_at_end import NOT_THERE, NOT_THERE_AT_ONCE, not_at_end
 from rpg.language.grammar.rows.not_consecutive import not_consecutive
+from rpg.language.grammar.rows.noted_down import NOTED_DOWN
 from rpg.language.grammar.rows.of_each_color import of_each_color
 from rpg.language.grammar.rows.on_several import ON_SEVERAL, ON_SEVERAL_AT_ONCE
 from rpg.language.grammar.rows.one_color_each import ONE_COLOR_EACH
@@ -103,6 +107,7 @@ from rpg.language.grammar.rows.written import WRITTEN, WRITTEN_AT_ONCE
 from rpg.language.tokens import Token
 
 _OF_ALL = (
+    *NOTED_DOWN,
     *IN_WRITING,
     *IN_CONVERSATION,
     *CONTRASTS,
@@ -225,6 +230,7 @@ AT_ONCE, UNREAD, OVER_ALL = (
     Turns(_OF_THE_UNREAD),
     Turns(
         (
+            *IGNORED_THERE,
             *FALLEN,
             *OFF_ONTO,
             *WHICHEVER,
@@ -285,7 +291,7 @@ _CHANGES = (
     swapped_over, result_told, palindromes, one_more, all_sides, around_named, some_of_the_letters, row_with_ends,
     other_end_named, rows_by_number, told_by_places, _steps_told, _one_of_each, of_each_color, corners_again,
     not_at_end, of_the_figure, word_again, range_but, not_consecutive, so_many_inside, so_many_on_each,
-    others_elsewhere, others_counted, word_of_letters,
+    others_elsewhere, others_counted, word_of_letters, leave_to_move, listed_of_all,
 )  # fmt: skip
 """What is told otherwise before the rows are looked for, in this order."""
 

@@ -10,6 +10,7 @@ from rpg.language.grammar.rows.vocabulary import AND, COLOR, FEW, MUST, PATCH
 _PUT = "(?:put|place|set|move|bring|carry|lay|take|shift|push|slide)"
 _DONE = "(?:put|placed|set|moved|brought|laid|stacked)"
 _ON = f"((?:on|onto|in|into|to) (?:the|my) (?:{COLOR} )?(?:{PATCH}|table))"
+_NEXT = "(?: ,)?(?: and)? (?:then|finally)"
 _THERE = "(?:there|(?:on|onto|in|into) it)"
 _TOO = "(?: too| as well| also)?"
 _TO = "(?:onto|on|into|in|to)"
@@ -33,6 +34,13 @@ IN_STEPS: tuple[Turn, ...] = (
     # one thing more
     ("^(first .+?) , ((?:and )?then .+?)(?: ,)? and (?:at|in) the (?:very )?end (?!of |it |there )(.+)$",
      "{1} , {2} , then {3}"),
+    # the same place for one after the other, "then green, then blue"; what comes on top of what is there by then
+    (f"^(?:first )?({_PUT}) ({THING}) {_ON}{_NEXT} ({THING}){_NEXT} ({THING})$",
+     "first {1} {2} {3} , then {1} {4} {3} , then {1} {5} {3}"),
+    (f"^(?:first )?({THING}) ((?:goes|comes|{MUST} (?:go|be|come))) {_ON}{_NEXT} ({THING}){_NEXT} ({THING})$",
+     "first {1} {2} {3} , then {4} {2} {3} , then {5} {2} {3}"),
+    (f"(?: ,)?(?: and)?(?: then| ,) ({THING}) on top( of (?:it|that))?{_NEXT} ({THING})(?= , | and |$)",
+     " , then {1} on top {2} , then {3} on top of that"),
     # what comes first told last
     (f"^before ({THING}) (?:is|are|{MUST} be) {_DONE} {_ON} , ({THING}) (?:{MUST} be|is) {_DONE} {_THERE}{_TOO}$",
      "first put {3} {2} , then put {1} {2}"),

@@ -14,6 +14,15 @@ _FIGURE = "tower|stack|row|line|column|pyramid|wall|pile|circle|ring|square|grid
 _ONE = "(?:(?!and\\b)[^ .,]+ ?)+?(?<! )"
 """One place, and not what is told of further blocks: "on the mat and green on blue" are two."""
 _PUT = "(?:put|place|stack|move|bring|set|lay)"
+_CAN = "(?:may|can|must|should)"
+_BUT = "(?:except|but|other than|apart from)"
+_ONLY_MOVED = (
+    f"(?:nothing|no block|no other block) (?:{_CAN} be moved|{_CAN} move) {_BUT} ({THING})",
+    f"nothing {_BUT} ({THING}) (?:{_CAN} be moved|{_CAN} move)",
+    f"only ({THING}) (?:{_CAN} be moved|{_CAN} move)",
+    f"(?:you|we|the robot) (?:{_CAN} only move|{_CAN} move only|(?:is|are) only allowed to move) ({THING})",
+)
+"""What alone may be moved."""
 _FELL = ("(?:has|have) (?:fallen (?:over|down|apart|off)|fallen|collapsed|toppled(?: over)?|tumbled(?: down)?|crashed|"
          "been knocked (?:over|down)|tipped over)")  # fmt: skip
 _AGAIN = "(?:again|up again|back up|back together|once more)"
@@ -23,6 +32,10 @@ KEPT_AT_ONCE: tuple[Turn, ...] = (
      "nothing but the {1} block may be moved"),
     (f"^(?:and |but )?only ({THING}) (?:may|can|is allowed to) (?:be )?(?:moved|move|touched|change places?)$",
      "nothing but {1} may be moved"),
+    ("^(?:you|we|the robot) (?:(?:may|can|must) (?:only (?:move|touch)|(?:move|touch) only)|(?:is|are) only allowed "
+     f"to (?:move|touch)) ({THING})$", "nothing but {1} may be moved"),
+    (f"^(?:(?:please|can|could|you) )*move ({THING})(?: ,)? but not ({THING})$",
+     "{1} must be moved . {2} must stay where it is"),
     (f"^({_PUT} {THING}) (on|in|to|onto|into) (the [^,]+?)(?: ,)? and (?:no other blocks?|no others?|nothing else)(?: "
      "may be| is)? "
      "there$", "{1} {2} {3} . no other block may be {2} {3}"),
@@ -43,6 +56,11 @@ KEPT_AND_MOVED: tuple[Turn, ...] = (
 """What makes no sense as it stands, in words that do."""
 
 FALLEN: tuple[Turn, ...] = (
+    # What else there is, is told behind it.
+    *(row for only in _ONLY_MOVED for row in (
+        (f"^{only} \\. ({_PUT}) it ([^.]+)(?= \\.|$)", "{2} {1} {3} . nothing but {1} may be moved"),
+        (f"^{only} \\. ((?:{_PUT} )?\\1 [^.]+)(?= \\.|$)", "{2} . nothing but {1} may be moved"),
+    )),
     # Of a text that tells what there is; otherwise there are others, and how many is assumed.
     (f"(?<= \\. )({_PUT}) (the [^.,]+?|{THING}) ({PLACE} {_ONE})(?: ,)?(?: \\. | (?:and|but) )(?:move|touch) nothing "
      "else(?= \\.|$)", "{1} {2} {3} . nothing but {2} may be moved"),

@@ -22,6 +22,8 @@ _PLACE = "(?:on|next to|beside|to the left of|to the right of|in front of|behind
 _TO_BE = "(?=(?:be|go|stand|lie|sit|rest|end|touch|form)\\b)"
 _NOW = "(?:now|at the moment|at present|right now|currently|at first|initially)"
 _REGION = "(the (?:(?:left|right|near|far) half|(?:(?:near|far|front|back|left|right) ){2}corner))(?: of the table)?"
+_ENDS_UP = f"(?:{MUST} (?:end up|go|come|be|stand|lie)|ends up|goes|comes)"
+_IS_NOW = f"{_SO}(?: {_NOW}| at the (?:start|beginning))?"
 
 OFF_FIRST: tuple[Turn, ...] = (
     (f"^(?:(?:do|take|begin with|start with) )?({THING})(?: (?:goes|comes))? first : ({_STEP}) (?:it|that one) (.+)$",
@@ -38,8 +40,8 @@ OFF_FIRST: tuple[Turn, ...] = (
 AT_TIMES: tuple[Turn, ...] = (
     # never
     (f"\\b{_NEVER} (touch|touches|lie|lies|put|place|let|move|take|stack|leave|leaves|lift|allow)\\b", "never {1}"),
-    ("\\b(not [^,]+?)(?: ,)? not even (?:temporarily|briefly|momentarily|shortly|in passing|in between|once|for (?:a|"
-     "one|a short|a brief|a single) (?:moment|second|time|while|instant))$", "{1} at any time"),
+    ("\\b((?:not|never) [^,]+?)(?: ,)? not even (?:temporarily|briefly|momentarily|shortly|in passing|in "
+     "between|once|for (?:a|one|a short|a brief|a single) (?:moment|second|time|while|instant))$", "{1} at any time"),
     (f"\\b(must|should|may) never move(?: ,)? {_EVER}$", "{1} never move"),
     ("\\b(?:is|are) (not|never) (?:allowed|permitted|supposed) to\\b", "must {1}"),
     # later
@@ -68,6 +70,8 @@ AT_TIMES: tuple[Turn, ...] = (
 )  # fmt: skip
 """What is looked for, and what is said instead."""
 TRADED: tuple[Turn, ...] = (
+    (f"^({THING}) {_ENDS_UP} (?:exactly )?where ({THING}) {_IS_NOW}(?: ,)?(?: and| while) \\2 (?:{_ENDS_UP} )?"
+     f"(?:exactly )?where \\1 {_IS_NOW}$", "swap {1} and {2}"),
     (f"\\bthe ({_END}) and the ({_END}) ({_BLOCK})\\b", "the {1} {3} and the {2} {3}"),
     (f"^(.+?) (?:takes|{MUST} take) the place of (.+?) and \\2 (?:(?:takes|{MUST} take) the place of|that of) \\1$",
      "swap {1} and {2}"),

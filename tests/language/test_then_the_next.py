@@ -1,0 +1,78 @@
+"""One block after the other where the place is told once, and what alone may be moved."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.language.meaning import means, start_and_end
+
+
+@pytest.mark.parametrize(
+    "text",
+    (
+        "Put yellow on the mat, then green, then blue.",
+        "First put yellow on the mat, then green and then blue.",
+        "The yellow block goes on the mat, then the green block, then the blue block.",
+    ),
+)
+def test_the_place_is_the_same(text: str) -> None:
+    told = means(text)
+    assert "First, the yellow block must be on the gray patch. Then, the green block must be on the gray patch." in told
+    assert "Finally, the blue block must be on the gray patch." in told
+
+
+@pytest.mark.parametrize(
+    "text",
+    (
+        "Put red on the mat, then blue on top of it, then green.",
+        "Put red on the mat, then blue on top of it, then green on top of that.",
+    ),
+)
+def test_what_comes_on_top(text: str) -> None:
+    told = means(text)
+    assert "Then, the blue block must be on the red block. Finally, the green block must be on the blue block." in told
+
+
+def test_another_place_is_another() -> None:
+    told = means("Put A on the mat, then B on top of it, then C next to the mat.")
+    assert "Finally, the C block must be next to the gray patch." in told
+    assert "must be on the yellow block" in means("Put red on top of blue, then green on top of yellow.")
+
+
+@pytest.mark.parametrize(
+    "text",
+    (
+        "Nothing may be moved except the white cube. Put it on the black cube.",
+        "You may only move the white cube. Put the white cube on the black cube.",
+        "Only the white cube may be moved. The white cube must be on the black cube.",
+    ),
+)
+def test_what_alone_may_be_moved(text: str) -> None:
+    told = means(text)
+    assert "The white block must be on the black block. The black block must stay where it is." in told
+
+
+def test_where_another_is() -> None:
+    told = means("The blue cube has to end up where the red cube is now, and the red cube where the blue cube is.")
+    assert "The blue block and the red block must swap places." in told
+    told = means("Red goes where blue is now and blue goes where green is now.")
+    assert "swap" not in told and "The blue block must be where the green block was at the start." in told
+
+
+def test_lines_at_both_ends() -> None:
+    start, end = start_and_end("Reverse the tower of three cubes, which is red, white, blue from the bottom.")
+    assert "from bottom to top in the order red, white, blue" in start
+    assert "from bottom to top in the order blue, white, red" in end
+    _, end = start_and_end("The final tower has the order yellow, orange, red from the bottom up.")
+    assert "from bottom to top in the order yellow, orange, red" in end
+
+
+def test_never_even_for_a_moment() -> None:
+    told = means("Red must never be on green, not even temporarily. Put red on blue and blue on green.")
+    assert "The red block must never be on the green block." in told
+
+
+def test_what_lies_on_the_mats_is_swapped() -> None:
+    told = means("Swap the blocks on the two patches. A is on the red patch, B on the green patch.")
+    assert "At the start, the A block is on the red patch." in told
+    assert "The A block and the B block must swap places." in told

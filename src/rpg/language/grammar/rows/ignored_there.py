@@ -54,8 +54,10 @@ IGNORED_THERE: tuple[Turn, ...] = (
         f"blocks|cubes)))(?: on the table| there| you see)*(?: :| ,)(?: namely)? ({_LOTS}){_AROUND}{_END}",
         "there are {1} as distractors",
     ),
-    ("\\b(ignore|disregard) (the (?:digits|letters|numbers|symbols)) \\. (.*\\bthere (?:is|are) [^.]*)(?= \\.$|$)",
-     "{3} . {1} {2}"),
+    (
+        "\\b(ignore|disregard) (the (?:digits|letters|numbers|symbols)) \\. (.*\\bthere (?:is|are) [^.]*)(?= \\.$|$)",
+        "{3} . {1} {2}",
+    ),
     *_rows(_ONE, _not_meant("it|this one|that one", "it|this one|that one")),
 )
 """Over a whole text: what is looked for, and what is said instead."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rpg.language.meaning import Chain, In, Meaning, Noun, Pronoun, Structure, Traits
-from rpg.passes.schema.resolve.places.corners import CORNERS
+from rpg.passes.schema.resolve.places.different_corners import CORNERS
 
 
 def speaks_of_rest(parts: Sequence[Meaning]) -> bool:

@@ -257,7 +257,10 @@ _LINED = frozenset({"rows", "columns", "layers"})
 
 
 def _same_view(words: list[str], at: int, end: int) -> bool:
-    """ "when I look at it" in front of no "from behind"; "from top to bottom" is of no place to look from."""
+    """ "when I look at it" in front of no "from behind"; "from top to bottom" is of no place to look from, and what is
+    piled up is told downwards where it is seen from the top."""
+    if "top" in words[at:end] and not _PILED.isdisjoint(words):
+        return False
     after = words[end : end + 6]
     if not after or after[0] in ("behind", "from"):
         return not after or not {"to", "down", "up"}.isdisjoint(after)
@@ -265,6 +268,7 @@ def _same_view(words: list[str], at: int, end: int) -> bool:
     return after[0] in _GOING_ON | _DOWNWARDS or (opened and words[at] not in ("when", "if"))
 
 
+_PILED = frozenset({"tower", "towers", "stack", "stacks", "stacked", "pile"})
 _FIXED = frozenset({"row", "line", "column", "word", "beside", "next", "near", "close", "cm", "spell", "facing"})
 _ALL_OVER = ("all through", "throughout", "all over", "through and through", "all the way through")
 """What carries nothing behind a colour that was set off: of it all."""

@@ -76,7 +76,7 @@ PATTERNS = [
         f"(?:each|both|every {T})(?: of them)?(?: with| has| have| having| consisting of| made of)?"),
     *patterns("slot", lambda match: match["which"],
         f"(?P<which>a second|a third|a|another|one|(?:the |an )?other|(?:the )?(?:{_ORD})) {_ADJ}*{T}",
-        f"(?:the )?{T} (?P<which>[A-E1-5])",
+        f"(?:the )?{T} (?P<which>[A-E]|[1-5](?= (?:consists|has|is|BE|:|\\()))",
         "(?P<which>one|the other|another|(?:the )?other one|a second one|another one)"
         "(?= (?:of|in|with|from|has|is|consists|made|BE|:|,|\\())"),
     *patterns("side", lambda match: match["side"],

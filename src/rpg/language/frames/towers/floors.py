@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
@@ -11,6 +12,8 @@ from rpg.language.frames.towers.floors_settled import settled
 
 _PARTS = frozenset({"item", "part", "ends", "half", "nth", "upon", "under", "over", "below", "between", "then", "rest"})
 
+_ONE = re.compile(r"\b(?:block|cube|one|piece|element|floor|level|layer)\b")
+
 
 def floors(pieces: Sequence[Piece], way: str | None, total: int | None) -> list[str]:
     """The looks of the blocks of one tower, from bottom to top. `way`: in which direction it is told, if that is told
@@ -19,12 +22,11 @@ def floors(pieces: Sequence[Piece], way: str | None, total: int | None) -> list[
     Raises:
         Unclear: it does not follow what is where.
     """
-    tower = Tower(way, total)
+    tower = Tower(way, total, alternating=any(piece.kind == "alternating" for piece in pieces))
     for clause, joined in clauses_of(pieces):
         if joined and _shares(tower, clause):
             raise Unclear  # "red and blue at the bottom": both, or the blue one?
         _told(tower, clause)
-    tower.alternating = any(piece.kind == "alternating" for piece in pieces)
     return settled(tower)
 
 
@@ -137,10 +139,18 @@ def _placed(tower: Tower, item: Item, place: Piece) -> None:
         return
     if item.plural and item.known and item.count is None and count == 1:
         item, count = _those(tower, item), None
+    elif not tower.alternating and _one_of_several(tower, item, place):
+        raise Unclear  # "two red blocks, the red one at the bottom"
     several = item.count is not None and item.count > 1 and count == 1
     run = tower.begin(item, None if several else count)
     _anchor(run, part)
     tower.downward = part == "top"
+
+
+def _one_of_several(tower: Tower, item: Item, place: Piece) -> bool:
+    """Whether one block may be any of those that are told ahead, or all of them; "the bottom block" is one of them."""
+    ahead = any(other.look == item.look and (other.count or 0) > 1 for other in tower.bare)
+    return ahead and item.known and item.count in (None, 1) and not _ONE.search(place.words)
 
 
 def _those(tower: Tower, item: Item) -> Item:

@@ -43,6 +43,8 @@ def towers_told(pieces: Sequence[Piece]) -> str:
     if len(counts) > 1 or len(sizes) > 1:
         raise Unclear
     count, size = next(iter(counts), None), next(iter(sizes), None)
+    if any(piece.words == "line up" for piece in pieces):
+        raise Unclear  # the towers, or the blocks of the first?
     way = one(pieces, "way")
     header, towers = _parted(pieces, count)
     if not towers:

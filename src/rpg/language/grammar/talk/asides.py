@@ -10,7 +10,7 @@ from rpg.language.grammar.core import Parser
 from rpg.language.grammar.structures.repeating import repeated
 from rpg.language.grammar.talk.arrows import in_words
 from rpg.language.grammar.talk.corrected import corrected
-from rpg.language.grammar.talk.framing import VIEW
+from rpg.language.grammar.talk.framing import VIEW, told_down
 from rpg.language.grammar.talk.in_short import begins_thing, meant
 from rpg.language.grammar.talk.left_open import ANY_OF_THEM, ANYPLACE, FOREIGN, FREE, LOOSE, left_to_choose
 from rpg.language.grammar.talk.list_marks import lists_in_one
@@ -88,7 +88,7 @@ def without_asides(tokens: list[Token]) -> list[Token]:
             if seen > at:
                 out, at = out + tokens[at:seen], seen
                 continue
-        if words[at] in VIEW.firsts:
+        if words[at] in VIEW.firsts and not told_down(words, at):
             end = max((j for j in VIEW.matches(p, at) if j > end and _same_view(words, at, j)), default=end)
         if (chosen := left_to_choose(p, at)) > end and _set_off(words, at, chosen):
             end = chosen
@@ -257,10 +257,7 @@ _LINED = frozenset({"rows", "columns", "layers"})
 
 
 def _same_view(words: list[str], at: int, end: int) -> bool:
-    """ "when I look at it" in front of no "from behind"; "from top to bottom" is of no place to look from, and what is
-    piled up is told downwards where it is seen from the top."""
-    if "top" in words[at:end] and not _PILED.isdisjoint(words):
-        return False
+    """ "when I look at it" in front of no "from behind"; "from top to bottom" is of no place to look from."""
     after = words[end : end + 6]
     if not after or after[0] in ("behind", "from"):
         return not after or not {"to", "down", "up"}.isdisjoint(after)
@@ -268,7 +265,6 @@ def _same_view(words: list[str], at: int, end: int) -> bool:
     return after[0] in _GOING_ON | _DOWNWARDS or (opened and words[at] not in ("when", "if"))
 
 
-_PILED = frozenset({"tower", "towers", "stack", "stacks", "stacked", "pile"})
 _FIXED = frozenset({"row", "line", "column", "word", "beside", "next", "near", "close", "cm", "spell", "facing"})
 _ALL_OVER = ("all through", "throughout", "all over", "through and through", "all the way through")
 """What carries nothing behind a colour that was set off: of it all."""

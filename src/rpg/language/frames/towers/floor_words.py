@@ -17,6 +17,7 @@ _LOOK = r"(?P<size>SIZE|medium|medium sized) (?=COLOR|BLOCK|one)"
 _FLOOR = "(?:floor|level|layer|storey|story|tier|position|place)"
 _FROM = "(?:(?:counted |counting |seen )?(?:from|at) (?:the )?(?P<end>bottom|top))"
 _ORD = "|".join(word for word in lexicon.ORDINAL if word.isalpha())
+_ONES = f"(?: (?:BLOCK|ones|floors|levels|layers))?(?: (?:of|in) (?:it|the {T}))?"
 _BOTTOM = "(?:bottom|lowest|bottommost|lowermost|undermost|lower|base)"
 _TOP = "(?:top|highest|uppermost|topmost|upper)"
 _MIDDLE = "(?:middle|central|center)"
@@ -86,6 +87,9 @@ PATTERNS = [
         f"(?:BE )?{_RIGHT}(?P<rel>next to|beside|behind|in front of|(?:(?:to|on) the )?(?:left|right) of|to its left|"
         f"to its right) (?:it|that|that one|that {T}|this one|the first|the first one|the first {T}|the other|"
         f"the other one|the other {T})"),
+    *patterns("ahead", lambda match: match["rel"],
+        f"(?:BE )?{_RIGHT}(?P<rel>next to|beside|behind|in front of|(?:(?:to|on) the )?(?:left|right) of)"
+        f"(?= (?:a|one) {_ADJ}*{T})"),
     *patterns("relation", lambda match: (match["one"], match["rel"], match["other"]),
         f"(?:the )?(?:{T} )?(?P<one>first|second|third|[A-E1-5])(?: {T}| one)? "
         f"BE {_RIGHT}(?P<rel>next to|beside|behind|in front of|(?:to the )?(?:left|right) of) "
@@ -118,8 +122,8 @@ PATTERNS = [
     *patterns("half", _part,
         f"(?:in )?(?:the |its |whose )?(?P<part>bottom|top|lower|upper) half(?: of (?:it|the {T}))?"),
     *patterns("part", _part,
-        f"(?:the )?(?P<part>{_BOTTOM}|{_TOP}|{_MIDDLE}) (?P<count>[2-9])(?: (?:BLOCK|ones|floors|levels|layers))?",
-        f"the (?P<count>[2-9]) (?P<part>{_BOTTOM}|{_TOP}|{_MIDDLE})(?: (?:BLOCK|ones|floors|levels|layers))?",
+        f"(?:the )?(?P<part>{_BOTTOM}|{_TOP}|{_MIDDLE}) (?P<count>[2-9]){_ONES}",
+        f"the (?P<count>[2-9]) (?P<part>{_BOTTOM}|{_TOP}|{_MIDDLE}){_ONES}",
         "(?:the )?(?P<count>[2-9]) (?:BLOCK |ones )?(?:at|in|on) (?:the )?(?P<part>bottom|top|middle|center)"),
     *patterns("ends", None,
         "(?:at|on) (?:both|the two|either) ends?|(?:(?:the|both|2|its) )*ends|the outer (?:ones|2|BLOCK)",
@@ -129,14 +133,15 @@ PATTERNS = [
     *patterns("nth", _nth,
         f"(?:BE )?(?:on |in |at |as )?(?:the )?(?P<nth>{_ORD})(?: {_N})? {_FROM}",
         f"(?:BE )?(?:on |in |at |as )?(?:the )?(?P<nth>{_ORD}) (?P<floor>{_FLOOR})(?: {_FROM})?(?: of the {T})?",
-        f"(?:on |in |at )?(?P<floor>{_FLOOR}) (?P<nth>[1-9])(?: {_FROM})?",
+        f"(?:on |in |at )?(?P<floor>{_FLOOR}) (?P<nth>[1-9]|one)(?: {_FROM})?",
         f"(?:BE )?(?:the )?(?P<nth>{_ORD})(?: {_N})?"),
     *patterns("upon", None, f"(?:BE )?{_RIGHT}(?:(?:on|on top of|onto|over|above|atop) {_IT}|on top of that one)",
         "thereon|on top again"),
     *patterns("under", None, f"(?:BE )?{_RIGHT}(?:under|below|beneath|underneath) {_IT}"),
     *patterns("between", None, "(?:BE )?(?:in )?between(?= (?:(?:the|2) )+(?:SIZE |COLOR))"),
     *patterns("over", None,
-        f"(?:BE )?{_RIGHT}(?:on|upon|over|on top of|above|atop|onto)(?= (?:the|an?|one) )", "above|over"),
+        f"(?:BE )?{_RIGHT}(?:on|upon|over|on top of|above|atop|onto)(?= (?:the|an?|one|NUM|COLOR|[A-Z]) )",
+        "above|over"),
     *patterns("below", None, f"(?:BE )?{_RIGHT}(?:under|below|beneath|underneath)"),
     *patterns("then", None,
         "(?:and )?(?:then|next(?! to)|after that|after this|afterwards|followed by|finally|lastly|at last|then again|"
@@ -150,11 +155,14 @@ PATTERNS = [
     *patterns("way", "down", f"{_LED}(?:from )?(?:the )?top (?:end )?(?:to (?:the )?bottom|down(?:wards)?)",
         f"{_LED}(?:going )?downwards?", "(?:starting|beginning) (?:at|from) the top", "from (?:the )?top(?= [:,)])"),
     *patterns("first", None, "(?:which |that )?(?:starting|beginning|begins|starts|start|begin) with"),
+    *patterns("every", None, f"all (?:of )?(?:(?:the|its) )?BLOCK(?: (?:in|of) (?:it|the {T}))?|everything(?: in it)?"),
     *patterns("rest", lambda match: number(match["count"]) if match.groupdict().get("count") else None,
         "(?:all )?(?:of )?(?:the |its )?(?:others|other ones|other BLOCK|rest|remaining(?: ones| "
         "BLOCK)?|remainder|rest of it|other (?P<count>[2-9])(?: ones| BLOCK)?)", "everything else|all other "
         f"BLOCK|(?:on )?(?:all )?(?:of )?(?:the )?(?:other|remaining) {_FLOOR}s"),
     *patterns("absent", lambda match: match["color"],
+        "(?:(?:must|should|may|does|do|shall|can) not (?:contain|have|include)|contains no) (?:any |an? )?(?P<color>COLOR)"
+        "(?: BLOCK| ones?)?",
         "(?:(?:there )?BE )?(?:no|without|without any|not any) (?P<color>COLOR)(?: BLOCK| ones?)?"
         f"(?: (?:BE|may be|appears?))?(?: (?:in|on|part of) (?:it|the {T}))?"),
     *patterns("alternating", None,
@@ -163,8 +171,9 @@ PATTERNS = [
     *patterns("table", None, "(?:BE )?(?:put |placed |directly |right |flat )*(?:on|upon|onto) the TABLE"),
     *WHERE,
     *BREAKS,
+    *patterns("except", None, "(?:, )?(?:except|except for|apart from|other than|besides|but)"),
     *patterns("break", None, "[()/=-]|so|so that|such that|in which|whose|having|has|have"),
-    *patterns("glue", None, "(?:its|the) colors?|also|itself|it|we|they|come|comes|goes|go|sits|follow|follows|stack|"
+    *patterns("glue", None, "with letters|the (?:robot|arm|gripper)|, which BE|(?:its|the) colors?|also|itself|it|we|they|come|comes|goes|go|sits|follow|follows|stack|"
         "pile|pile up|stack up|add|there|order|colors?|showing|reading|appear|in (?:this|the) order|going|colored|"
         "a sandwich|sandwich|being|like this|like so|as follows|the following|following|consists of|which has|"
         "that has"),

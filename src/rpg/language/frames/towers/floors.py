@@ -10,7 +10,10 @@ from rpg.language.frames.pieces import Piece, Unclear
 from rpg.language.frames.towers.floor_parts import Item, Run, Tower, item_of
 from rpg.language.frames.towers.floors_settled import settled
 
-_PARTS = frozenset({"item", "part", "ends", "half", "nth", "upon", "under", "over", "below", "between", "then", "rest"})
+_PARTS = frozenset({
+    "item", "part", "ends", "half", "nth", "upon", "under", "over", "below", "between", "then", "rest",
+    "every",
+})  # fmt: skip
 
 _ONE = re.compile(r"\b(?:block|cube|one|piece|element|floor|level|layer)\b")
 
@@ -23,11 +26,26 @@ def floors(pieces: Sequence[Piece], way: str | None, total: int | None) -> list[
         Unclear: it does not follow what is where.
     """
     tower = Tower(way, total, alternating=any(piece.kind == "alternating" for piece in pieces))
+    kinds = [piece.kind for piece in pieces]
+    if "every" in kinds and "except" not in kinds:
+        raise Unclear  # "all of its blocks are red": so nothing else can be
     for clause, joined in clauses_of(pieces):
-        if joined and _shares(tower, clause):
+        if joined == "except":
+            _but(tower)
+        if joined == "and" and _shares(tower, clause):
             raise Unclear  # "red and blue at the bottom": both, or the blue one?
         _told(tower, clause)
     return settled(tower)
+
+
+def _but(tower: Tower) -> None:
+    """ "Five red blocks except the top one": five in all."""
+    if not tower.bare or (count := tower.bare[-1].count) is None:
+        return
+    if tower.total not in (None, count):
+        raise Unclear
+    tower.total = count
+    tower.bare[-1] = replace(tower.bare[-1], count=None, plural=True)
 
 
 def _shares(tower: Tower, clause: Sequence[Piece]) -> bool:
@@ -39,24 +57,24 @@ def _shares(tower: Tower, clause: Sequence[Piece]) -> bool:
     return part != "top" or not own or tower.bare[-1].count is None
 
 
-def clauses_of(pieces: Sequence[Piece]) -> Iterator[tuple[list[Piece], bool]]:
-    """What stands between two breaks, and whether only an "and" is ahead of it; what only leads to blocks, "then, " or
-    "on top: ", goes with these."""
+def clauses_of(pieces: Sequence[Piece]) -> Iterator[tuple[list[Piece], str]]:
+    """What stands between two breaks, and the break ahead of it; what only leads to blocks, "then, " or "on top: ",
+    goes with these."""
     clause: list[Piece] = []
-    joined = False
+    joined = ""
     for piece in pieces:
         kinds = {one.kind for one in clause}
         if piece.kind == "then" and "item" in kinds:
             yield clause, joined
-            clause, kinds, joined = [], set(), False
+            clause, kinds, joined = [], set(), ""
         if piece.kind in _PARTS:
             clause.append(piece)
         leads = kinds == {"then"} or (piece.words == ":" and not kinds & {"item", "rest"})
-        if piece.kind == "break" and clause and not leads:
+        if piece.kind in ("break", "except") and clause and not leads:
             yield clause, joined
-            clause, joined = [], piece.words == "and"
-        elif piece.kind == "break" and not clause:
-            joined = False
+            clause, joined = [], piece.words if piece.kind == "break" else "except"
+        elif piece.kind in ("break", "except") and not clause:
+            joined = "except" if "except" in (piece.kind, joined) else ""
     if clause:
         yield clause, joined
 
@@ -68,7 +86,7 @@ def _told(tower: Tower, clause: list[Piece]) -> None:
     kinds = [piece.kind for piece in said]
     places = [piece for piece in said if piece.kind in ("part", "nth", "ends", "half")]
     items = [item_of(piece) for piece in said if piece.kind == "item"]
-    if "rest" in kinds:
+    if {"rest", "every"} & {*kinds}:
         _rest(tower, said, items, places)
     elif kinds == ["item", "between", "item"]:
         _between(tower, *items)
@@ -93,11 +111,13 @@ def _told(tower: Tower, clause: list[Piece]) -> None:
 def _alone(tower: Tower, item: Item, places: list[Piece], *, follows: bool) -> None:
     """Blocks with or without a place of their own."""
     listed = follows or (tower.way is not None and not places)
-    if listed and tower.last is None and not tower.bare:
+    if listed and tower.last is None and not tower.bare and not tower.runs:
         tower.begin(item)
         tower.downward = tower.way == "down"
         _anchored(tower, places)
         return
+    if listed and tower.last is None and len(tower.bare) == 1 and not tower.runs:
+        tower.begin(tower.bare.pop())  # "a red one, then a blue one"
     if listed and (tower.last is None or tower.last.amid):
         raise Unclear  # "a red one, then a blue one": up or down?
     if listed:
@@ -230,11 +250,9 @@ def _rest(tower: Tower, said: list[Piece], items: list[Item], places: list[Piece
     amid = all(place.kind == "part" and place.value[0] == "middle" for place in places)
     if len(items) != 1 or len(places) > 1 or not amid or len(said) != 2 + len(places):
         raise Unclear
-    if not (tower.runs or tower.ends):
-        raise Unclear  # "there are six blocks, the rest blue"
     if items[0].count is not None and not items[0].plural:
         raise Unclear
-    told = next(piece.value for piece in said if piece.kind == "rest")
+    told = next(piece.value for piece in said if piece.kind in ("rest", "every"))
     if told and items[0].count not in (None, told):
         raise Unclear
     _others(tower, replace(items[0], count=told or items[0].count, plural=True))

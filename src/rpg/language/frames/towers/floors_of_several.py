@@ -23,11 +23,13 @@ _AMID = re.compile("the (?:middle|central|center) one")
 
 @dataclass
 class _Tower:
-    """What is told of one of them. `name`: how it is called; `side`: where it is; `rel`: how it is to the last one."""
+    """What is told of one of them. `name`: how it is called; `side`: where it is; `rel`: how it is to the last one, and
+    `onward`: to the next one."""
 
     name: str
     side: str | None = None
     rel: str | None = None
+    onward: str | None = None
     pieces: list[Piece] = field(default_factory=list)
 
 
@@ -72,7 +74,7 @@ def _parted(pieces: Sequence[Piece], count: int | None) -> tuple[list[Piece], li
     amid = by_side and count == len(_SIDES[1])
     header: list[Piece] = []
     towers: list[_Tower] = []
-    rel: str | None = None
+    rel = ahead = None
     for piece in pieces:
         if piece.kind in _SHARED:
             continue
@@ -82,7 +84,11 @@ def _parted(pieces: Sequence[Piece], count: int | None) -> tuple[list[Piece], li
         if piece.kind == "slot" or numbered or (by_side and piece.kind == "side"):
             name = numbered[1] if numbered else str(piece.value)
             towers.append(_Tower(name, piece.value if by_side else None, rel))
-            rel = None
+            rel = ahead if len(towers) == 1 else None
+        elif piece.kind == "ahead" and not towers:
+            ahead = piece.value  # "next to a tower of ... build a tower of ..."
+        elif piece.kind == "ahead":
+            towers[-1].onward = piece.value
         elif piece.kind == "side" and towers:
             if towers[-1].side:
                 raise Unclear
@@ -158,6 +164,8 @@ def _placed(pieces: Sequence[Piece], towers: Sequence[_Tower]) -> str:
         if tower.rel:
             rel = _RELATIONS.get(tower.rel, tower.rel)
             text += f" {names[n].capitalize()} is {rel} {names[n - 1]}."
+        if tower.onward:
+            text += f" {names[n].capitalize()} is {_RELATIONS.get(tower.onward, tower.onward)} {names[n + 1]}."
         where = one(tower.pieces, "where")
         text += f" {names[n].capitalize()} must be {where.value}." if where else ""
     called = {tower.name: name for tower, name in zip(towers, names, strict=True)}

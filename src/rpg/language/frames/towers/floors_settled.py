@@ -22,6 +22,8 @@ def settled(tower: Tower) -> list[str]:
         return _by_turns(tower)
     if not (tower.runs or tower.ends or tower.rest) and (listed := _both_ways(tower)):
         return listed
+    if not (tower.runs or tower.ends) and tower.rest:
+        raise Unclear  # "there are six blocks, the rest blue"
     told = Counter(look for run in tower.runs for look in run.looks)
     told.update([tower.ends] * 2 if tower.ends else [])
     stock, fill = _stock(tower, told)

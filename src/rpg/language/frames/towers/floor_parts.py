@@ -13,12 +13,14 @@ _NOT_AGAIN = frozenset({"the", "both the", "all the", "its"})
 
 @dataclass(frozen=True)
 class Item:
-    """Blocks of one look. `count`: None where it is left open; `known`: they may have been told before."""
+    """Blocks of one look. `count`: None where it is left open; `known`: they may have been told before,
+    `definite`: they have been."""
 
     look: str
     count: int | None
     known: bool
     plural: bool
+    definite: bool = False
 
 
 def item_of(piece: Piece) -> Item:
@@ -33,9 +35,8 @@ def item_of(piece: Piece) -> Item:
     count = number(named["count"]) if "count" in named else None
     if count is None and (single or det in ("a", "an", "another", "one more", "the other", "the only", "again a")):
         count = 1
-    return Item(
-        look, count, det in _NOT_AGAIN or not (det or "count" in named), plural or det.startswith(("all", "both"))
-    )
+    known = det in _NOT_AGAIN or not (det or "count" in named)
+    return Item(look, count, known, plural or det.startswith(("all", "both")), definite=det in _NOT_AGAIN)
 
 
 @dataclass
@@ -52,7 +53,7 @@ class Run:
 @dataclass
 class Tower:
     """What is told so far. `bare`: blocks without a place; `rest`: what all others are like, and
-    `inner`: these are in the middle."""
+    `inner`: these are in the middle; `related`: blocks are told by what they lie on."""
 
     way: str | None
     total: int | None
@@ -61,6 +62,7 @@ class Tower:
     rest: Item | None = None
     ends: str | None = None
     inner: bool = False
+    related: bool = False
     alternating: bool = False
     last: Run | None = None
     downward: bool = False
@@ -81,6 +83,11 @@ class Tower:
         self.runs.append(run)
         self.last = run
         return run
+
+    def again(self, item: Item) -> bool:
+        """Whether a block that has its place already may be spoken of again."""
+        known = item.definite or (item.known and self.related)
+        return known and item.count in (None, 1) and any(item.look in run.looks for run in self.runs)
 
     def found(self, item: Item, *, up: bool) -> Run | None:
         """The run with a block that was told before at its top or bottom; None where there is no such block.

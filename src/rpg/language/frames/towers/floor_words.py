@@ -77,7 +77,8 @@ PATTERNS = [
         f"(?:each|both|every {T})(?: of them)?(?: with| has| have| having| consisting of| made of)?"),
     *patterns("slot", lambda match: match["which"],
         f"(?P<which>a second|a third|a|another|one|(?:the |an )?other|(?:the )?(?:{_ORD})) {_ADJ}*{T}",
-        f"(?:the )?{T} (?P<which>[A-E]|[1-5](?= (?:consists|has|is|BE|:|\\()))",
+        "(?:the )?tower (?P<which>[A-E1-5])(?= (?:consists|has|is|BE|:|\\(|of|with|from))",
+        f"(?:the )?{T} (?P<which>[A-E1-5])(?= (?:consists|has|is|BE|:|\\())",
         "(?P<which>one|the other|another|(?:the )?other one|a second one|another one)"
         "(?= (?:of|in|with|from|has|is|consists|made|BE|:|,|\\())"),
     *patterns("side", lambda match: match["side"],
@@ -126,7 +127,7 @@ PATTERNS = [
         f"the (?P<count>[2-9]) (?P<part>{_BOTTOM}|{_TOP}|{_MIDDLE}){_ONES}",
         "(?:the )?(?P<count>[2-9]) (?:BLOCK |ones )?(?:at|in|on) (?:the )?(?P<part>bottom|top|middle|center)"),
     *patterns("ends", None,
-        "(?:at|on) (?:both|the two|either) ends?|(?:(?:the|both|2|its) )*ends|the outer (?:ones|2|BLOCK)",
+        "(?:at|on) (?:both|the two|the 2|either|each) ends?|(?:(?:the|both|2|its) )*ends|the outer (?:ones|2|BLOCK)",
         "(?:the )?first and (?:the )?last(?: ones| BLOCK)?",
         "(?:both )?(?:at |on )?(?:the )?(?:top and(?: at)?(?: the)? bottom|bottom and(?: at)?(?: the)? top)"
         "(?: (?:BLOCK|ones))?"),
@@ -150,8 +151,8 @@ PATTERNS = [
     *patterns("way", "up", f"{_LED}(?:from )?(?:the )?(?:bottom|base|ground) (?:end )?(?:to (?:the )?top|up(?:wards)?)",
         f"{_LED}(?:going )?upwards?", "(?:starting|beginning) (?:at|from) the (?:bottom|base)",
         "from (?:the )?bottom(?= [:,)])"),
-    *patterns("way", "up", f"{_LED}from (?:the )?lowest(?: {_N})? to (?:the )?highest(?: {_N})?"),
-    *patterns("way", "down", f"{_LED}from (?:the )?highest(?: {_N})? to (?:the )?lowest(?: {_N})?"),
+    *patterns("way", "up", f"{_LED}from (?:the )?lowest(?: {_N})? to (?:the )?highest (?:{_N}|{_FLOOR})"),
+    *patterns("way", "down", f"{_LED}from (?:the )?highest(?: {_N})? to (?:the )?lowest (?:{_N}|{_FLOOR})"),
     *patterns("way", "down", f"{_LED}(?:from )?(?:the )?top (?:end )?(?:to (?:the )?bottom|down(?:wards)?)",
         f"{_LED}(?:going )?downwards?", "(?:starting|beginning) (?:at|from) the top", "from (?:the )?top(?= [:,)])"),
     *patterns("first", None, "(?:which |that )?(?:starting|beginning|begins|starts|start|begin) with"),
@@ -161,8 +162,8 @@ PATTERNS = [
         "BLOCK)?|remainder|rest of it|other (?P<count>[2-9])(?: ones| BLOCK)?)", "everything else|all other "
         f"BLOCK|(?:on )?(?:all )?(?:of )?(?:the )?(?:other|remaining) {_FLOOR}s"),
     *patterns("absent", lambda match: match["color"],
-        "(?:(?:must|should|may|does|do|shall|can) not (?:contain|have|include)|contains no) (?:any |an? )?(?P<color>COLOR)"
-        "(?: BLOCK| ones?)?",
+        "(?:(?:must|should|may|does|do|shall|can) not (?:contain|have|include)|contains no) (?:any |an? )?"
+        "(?P<color>COLOR)(?: BLOCK| ones?)?",
         "(?:(?:there )?BE )?(?:no|without|without any|not any) (?P<color>COLOR)(?: BLOCK| ones?)?"
         f"(?: (?:BE|may be|appears?))?(?: (?:in|on|part of) (?:it|the {T}))?"),
     *patterns("alternating", None,
@@ -171,10 +172,11 @@ PATTERNS = [
     *patterns("table", None, "(?:BE )?(?:put |placed |directly |right |flat )*(?:on|upon|onto) the TABLE"),
     *WHERE,
     *BREAKS,
-    *patterns("except", None, "(?:, )?(?:except|except for|apart from|other than|besides|but)"),
+    *patterns("except", None, "(?:, )?(?:except|except for|apart from|other than|besides)"),
     *patterns("break", None, "[()/=-]|so|so that|such that|in which|whose|having|has|have"),
-    *patterns("glue", None, "with letters|the (?:robot|arm|gripper)|, which BE|(?:its|the) colors?|also|itself|it|we|they|come|comes|goes|go|sits|follow|follows|stack|"
-        "pile|pile up|stack up|add|there|order|colors?|showing|reading|appear|in (?:this|the) order|going|colored|"
+    *patterns("glue", None, "with letters|the (?:robot|arm|gripper)|, which BE",
+        "(?:its|the) colors?|also|itself|it|we|they|come|comes|goes|go|sits|follow|follows|stack|"
+        "pile|pile up|stack up|there|order|colors?|showing|reading|appear|in (?:this|the) order|going|colored|"
         "a sandwich|sandwich|being|like this|like so|as follows|the following|following|consists of|which has|"
         "that has"),
     *GLUE,

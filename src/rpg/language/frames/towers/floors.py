@@ -92,6 +92,9 @@ def _told(tower: Tower, clause: list[Piece]) -> None:
         _between(tower, *items)
     elif {"over", "below"} & {*kinds}:
         _related(tower, said, items, places)
+        tower.related = True
+    elif any(map(tower.again, items)):
+        raise Unclear  # "red on blue, and blue at the bottom"
     elif {"upon", "under"} & {*kinds}:
         if len(items) != 1 or len(places) > 1 or len(said) != 2 + len(places):
             raise Unclear
@@ -135,7 +138,7 @@ def _alone(tower: Tower, item: Item, places: list[Piece], *, follows: bool) -> N
 def _placed(tower: Tower, item: Item, place: Piece) -> None:
     """Blocks at a part of the tower, or on one of its floors."""
     if place.kind == "ends":
-        if tower.ends or item.count not in (None, 1, 2):
+        if tower.ends or item.count not in (None, 2, 1 if "end" in place.words else 2):
             raise Unclear
         tower.ends = item.look
         return

@@ -14,7 +14,7 @@ from rpg.language.frames.towers.floors_of_several import towers_told
 
 __all__ = ["PATTERNS", "told"]
 
-_WANTED = frozenset({"must", "should", "shall", "to", "needs"})
+_WANTED = re.compile(r"\b(?:must|should|shall|needs?|(?:has|have|is|are) to|to be)\b")
 _STACKED = re.compile(rf"\b(?:{T}|stacked|vertically|on top of (?:each other|one another|the other))\b")
 _FLOORS = 2
 """So many floors are those of a tower."""
@@ -37,7 +37,7 @@ def told(pieces: Sequence[Piece]) -> str:
     kinds = [piece.kind for piece in pieces]
     floor = [piece for piece in pieces if piece.kind == "nth" and "floor" in piece.named]
     stacked = any(_STACKED.search(piece.words) for piece in pieces)
-    wanted = any(not _WANTED.isdisjoint(piece.words.split()) for piece in pieces)
+    wanted = _WANTED.search(" ".join(piece.words for piece in pieces))
     if not stacked and len(floor) < _FLOORS and not {"part", "upon"} <= {*kinds}:
         raise Unclear
     if "figure" in kinds and _IS_THERE.match(pieces[kinds.index("figure")].words) and not wanted:

@@ -304,6 +304,8 @@ def read_sentence(tokens: list[Token], thorough: bool = False) -> Sentence:
         link = "then" if step > 1 and p.words[start] in _COUNTED else "and"
         start = p.opt(start + 2, ":", ",", "-")
     ordinal = p.lex(start, lexicon.ORDINAL)
+    if ordinal and p.words[start + 1] in lexicon.STRUCTURE and p.words[start + 2] == ":":
+        raise Refusal([stuck(p)])  # "first tower: red on blue" is one of several, and no step
     if ordinal and p.one(start + 1, _STEPS) and (j := p.one(start + 2, frozenset({":", ",", "-"}))):
         link, start = "then" if ordinal > 1 else "and", j
     for _, j in p.standing(start, _EARLIER)[:1]:

@@ -13,9 +13,11 @@ from rpg.language.frames.relations import relations
 from rpg.language.frames.shapes import shape, stairs
 from rpg.language.frames.symbols import equation, spelled
 from rpg.language.frames.towers import several as towers
-from rpg.language.frames.towers import tower
+from rpg.language.frames.towers import told_floors, tower
 
-FAMILIES: tuple[tuple[Sequence[Pattern], Callable[[Sequence[Piece]], str]], ...] = (
+Family = tuple[Sequence[Pattern], Callable[[Sequence[Piece]], str]]
+"""The patterns of a family, and how it tells its pieces again (or raises Unclear)."""
+FAMILIES: tuple[Family, ...] = (
     (tower.PATTERNS, tower.told),
     (grids.PATTERNS, grids.told),
     (shape.PATTERNS, shape.told),
@@ -29,4 +31,6 @@ FAMILIES: tuple[tuple[Sequence[Pattern], Callable[[Sequence[Piece]], str]], ...]
     (towers.PATTERNS, towers.told),
     (relations.PATTERNS, relations.told),
 )
-"""The patterns of each family, and how it tells its pieces again (or raises Unclear)."""
+"""Those that are asked first."""
+LATER: tuple[Family, ...] = ((told_floors.PATTERNS, told_floors.told),)
+"""Families that are asked where no other one knows all that is said."""

@@ -90,7 +90,24 @@ def numbers(*names: str) -> Callable[[re.Match[str]], dict[str, int]]:
 
 
 _BEHIND_SYMBOL = frozenset(
-    {",", "x", "and", "on", "over", "under", "above", "below", "beside", "goes", "must", "should", "with"}
+    {
+        ",",
+        "x",
+        "and",
+        "on",
+        "over",
+        "under",
+        "above",
+        "below",
+        "beside",
+        "goes",
+        "must",
+        "should",
+        "with",
+        "at",
+        "in",
+        "is",
+    }
 )
 """Before these an A is no article."""
 _SEVERAL = re.compile("[A-Z]s")

@@ -16,7 +16,7 @@ from rpg.language.frames.around.given import existing, with_given
 from rpg.language.frames.around.measured import without_measures
 from rpg.language.frames.around.paired import pairs
 from rpg.language.frames.around.turned import without_turns
-from rpg.language.frames.families import FAMILIES
+from rpg.language.frames.families import FAMILIES, LATER, Family
 from rpg.language.frames.lots import check_joined
 from rpg.language.frames.pieces import CLASSES, Piece, Unclear, coded, cut
 from rpg.language.frames.relations import relations
@@ -140,7 +140,7 @@ def words() -> frozenset[str]:
         *changed.TOLD,
         *measured.TOLD,
         *turned.PATTERNS,
-        *(pattern for known, _ in FAMILIES for pattern in known),
+        *(pattern for known, _ in (*FAMILIES, *LATER) for pattern in known),
     ]
     texts = [*CLASSES.values(), *(pattern.text for pattern in told), *(lead.pattern for _, lead in moments.PATTERNS)]
     return frozenset(word for text in texts for word in re.findall(r"(?<![<a-z\\])[a-z]{2,}", text))
@@ -148,12 +148,18 @@ def words() -> frozenset[str]:
 
 def plainly(tokens: Sequence[Token]) -> str | None:
     """What the one family that knows all the words says of them; None where none does, or several differ."""
-    found = set()
     said = coded(tokens)
     if _misnamed(said):
         return None
     besides = _told_besides(tokens)
-    for known, told in FAMILIES:
+    found = _tellings(said, FAMILIES, besides) or _tellings(said, LATER, besides)
+    return found.pop() if len(found) == 1 else None
+
+
+def _tellings(said: Sequence[str], families: Sequence[Family], besides: bool) -> set[str]:
+    """What families tell that know all the words."""
+    found: set[str] = set()
+    for known, told in families:
         if besides and told is not relations.told:
             continue
         pieces = cut(said, known)
@@ -162,7 +168,7 @@ def plainly(tokens: Sequence[Token]) -> str | None:
             found |= {told(pieces)} if pieces and not _placed_apart(pieces) else set()
         except Unclear:
             continue
-    return found.pop() if len(found) == 1 else None
+    return found
 
 
 def _misnamed(words: Sequence[str]) -> bool:

@@ -56,6 +56,8 @@ _WORD = f"(?!(?:{COLOR}|{_BLOCKS})\\b)(\\S{{2,}})"
 _WHEN_READ = f"(?:(?:when|if) )?(?:it is |you |one )?reads? (?:it )?{_DOWN}"
 
 UPRIGHT_AT_ONCE: tuple[Turn, ...] = (
+    (f"\\b({TOWER}s?\\b.*?)(?: ,)? (?:as )?(?:seen|viewed|looked at) from (?:the )?top(?: down)?(?= [:,]|$)",
+     "{1} from top to bottom"),
     (f"^anything at the (?:very )?bottom {_BUT} {_KNOWN}$", "{1} is not at the bottom"),
     *_not_at(_AT_BOTTOM, "at the bottom"),
     *_not_at(_AT_TOP, "on top"),

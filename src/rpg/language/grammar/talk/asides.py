@@ -10,7 +10,7 @@ from rpg.language.grammar.core import Parser
 from rpg.language.grammar.structures.repeating import repeated
 from rpg.language.grammar.talk.arrows import in_words
 from rpg.language.grammar.talk.corrected import corrected
-from rpg.language.grammar.talk.framing import VIEW
+from rpg.language.grammar.talk.framing import VIEW, told_down
 from rpg.language.grammar.talk.in_short import begins_thing, meant
 from rpg.language.grammar.talk.left_open import ANY_OF_THEM, ANYPLACE, FOREIGN, FREE, LOOSE, left_to_choose
 from rpg.language.grammar.talk.list_marks import lists_in_one
@@ -88,7 +88,7 @@ def without_asides(tokens: list[Token]) -> list[Token]:
             if seen > at:
                 out, at = out + tokens[at:seen], seen
                 continue
-        if words[at] in VIEW.firsts:
+        if words[at] in VIEW.firsts and not told_down(words, at):
             end = max((j for j in VIEW.matches(p, at) if j > end and _same_view(words, at, j)), default=end)
         if (chosen := left_to_choose(p, at)) > end and _set_off(words, at, chosen):
             end = chosen

@@ -268,6 +268,12 @@ VIEW = Patterns(
     classes=_VIEWS,
 )
 """Who looks at it, which changes nothing: sides are the viewer's. From elsewhere it would."""
+_PILED = frozenset({"tower", "towers", "stack", "stacks", "stacked"})
+
+
+def told_down(words: list[str], at: int) -> bool:
+    """Whether what is piled up is seen from the top: that it is told downwards, and not who looks at it."""
+    return words[at + 1 : at + 4] == ["from", "the", "top"] and not _PILED.isdisjoint(words)
 
 
 def past(p: Parser, j: int) -> int:

@@ -167,7 +167,8 @@ def _code(tokens: Sequence[Token], n: int) -> str:
     begins = n == 0 or tokens[n - 1].word in (".", "!", "?", ";", ":")
     before = _code(tokens, n - 1) if _SEVERAL.fullmatch(token.raw) and n else ""
     behind = tokens[n + 1].word if n + 1 < len(tokens) else ""
-    begins = begins and not (token.raw == "A" and behind in _BEHIND_SYMBOL)
+    listed = [word.raw for word in tokens[n + 1 : n + 3] if len(word.raw) == 1 and word.raw.isupper()]
+    begins = begins and not (token.raw == "A" and (behind in _BEHIND_SYMBOL or len(listed) == 2))
     if len(token.raw) == 1 and token.raw.isupper() and not (begins and token.raw in "AI"):
         return token.raw
     if _SEVERAL.fullmatch(token.raw) and (token.raw[0] not in "AIU" or before.isdigit() or before in _AHEAD):

@@ -10,6 +10,7 @@ from itertools import accumulate, pairwise
 from math import isqrt
 
 from rpg.language.frames.grids.colors import COLORS
+from rpg.language.frames.grids.composed import FRAMING, composed
 from rpg.language.frames.grids.each import plain
 from rpg.language.frames.grids.fill import Cell, Filling, completed
 from rpg.language.frames.grids.layers import in_order, layered, merged
@@ -24,7 +25,7 @@ from rpg.language.frames.shared import BREAKS, GLUE, WHERE
 _WHERE = patterns(
     "where", lambda match: f"on the {match['patch']}", "on (?P<patch>(?:(?:SIZE|long|round) )?COLOR PATCH)"
 )
-PATTERNS = [*FIGURES, *SIZES, *PLACES, *COLORS, *LOTS, *WHERE, *_WHERE, *JOINTS, *BREAKS, *GLUE]
+PATTERNS = [*FRAMING, *FIGURES, *SIZES, *PLACES, *COLORS, *LOTS, *WHERE, *_WHERE, *JOINTS, *BREAKS, *GLUE]
 
 _FILLED = frozenset({"filled", "full", "solid", "complete"})
 _OF_GRIDS = frozenset({"place", "checkered", "total", "reading", "lines", "each"})
@@ -37,7 +38,7 @@ def told(pieces: Sequence[Piece]) -> str:
     Raises:
         Unclear: its size does not follow, or which blocks are where.
     """
-    pieces, over = _over(merged(without_brackets(pieces)))
+    pieces, over = _over(merged(composed(without_brackets(pieces))))
     kind, words = _figure(pieces)
     pieces = in_order(pieces, "figure" if kind in ("wall", "pyramid", "cube") else "")
     pieces = plain(layered(pieces) if kind == "pyramid" else pieces, kind)

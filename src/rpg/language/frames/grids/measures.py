@@ -36,7 +36,7 @@ def _lines_of(lines: str, name: str, of: str) -> str:
     """ "Two rows of three": lines, and how many blocks each of them has."""
     one = name[:-1]
     return (
-        rf"(?P<{name}>NUM) (?:full |straight )?(?:{lines})s? {_WITH}(?P<{of}>NUM){_NO_LINES}(?: BLOCK)?"
+        rf"(?P<{name}>NUM) (?:full |straight )?(?:{lines})s? (?:, (?=each ))?{_WITH}(?P<{of}>NUM){_NO_LINES}(?: BLOCK)?"
         rf"(?: (?:each|apiece|per {one}|in (?:each|every)(?: {one}| one)?))?|(?P<{name}_>NUM) (?:{lines})s? with "
         rf"(?P<{of}_>NUM)(?: BLOCK)? (?:each|apiece|per {one}|in (?:each|every)(?: {one}| one)?)"
     )

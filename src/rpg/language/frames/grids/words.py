@@ -79,7 +79,8 @@ def _diagonal(match: re.Match[str]) -> Place:
 
 
 def _rest(match: re.Match[str]) -> Place:
-    return Place("rest", "", None, int(match.groupdict().get("many") or 0))
+    counts = (said for name, said in match.groupdict().items() if name.startswith("many") and said)
+    return Place("rest", "", None, int(next(counts, 0)))
 
 
 _KINDS = (
@@ -158,6 +159,7 @@ PLACES: list[Pattern] = [
         rf"(?:the )?(?P<count>\d+)(?: BLOCK| ones)? (?:in|at|on) the {_side(*_PLAIN)}(?= (?:BE )?(?:all )?(?:in "
         rf")?COLOR)",
         rf"(?:the |its )?{_side(*_PLAIN)} (?:blocks|cubes|ones)(?: in {AXES})?",
+        rf"(?:the |its )?{_side('top', 'bottom')}(?= (?:an? )?(?:single |lone )?(?:NUM )?COLOR )",
         rf"(?:the |its )?(?:very )?{_side('top', 'bottom')} (?P<single>block|cube|piece|element)",
         rf"{_side(*_PLAIN, '1', '2', '3', '4', 'last')}(?: one)?(?= (?::|'s|is|are|BE|(?:all )?COLOR))",
         rf"{_side(*_PLAIN[:-1])}(?= [,.;)]| and | $)", rf"(?:the |both )?{_side('outer')} (?P<many>2)",
@@ -223,7 +225,7 @@ PLACES: list[Pattern] = [
         "is| being)?",
         "(?:all )?(?:(?:of )?the )?(?:others|rest|remainder)(?: of (?:it|them))?", r"(?:all )?the (?P<many>\d+) others",
         r"(?:all )?(?:the )?(?:other|remaining)(?: (?P<many>\d+))? (?:blocks|cubes|pieces|ones|cells|squares|"
-        r"positions|places|rows|columns|layers)", r"the (?:other|remaining) (?P<many>\d+)"),
+        r"positions|places|rows|columns|layers)", r"the other (?P<many>\d+)|(?:the )?remaining (?P<many_>\d+)"),
 ]  # fmt: skip
 """Kind "place"."""
 JOINTS: list[Pattern] = [
@@ -246,13 +248,13 @@ JOINTS: list[Pattern] = [
     *patterns("lot", None, "(?P<half>half)(?: of (?:them|it|the BLOCK))?(?: (?:BE |in )*)?(?P<color>COLOR)(?: BLOCK)?"),
     *patterns("glue", None, "as (?:the |its )?(?:second|other|first|main) color"),
     *patterns("some", None, r"(?P<count>NUM)(?: (?:of (?:them|these|which)|ones?))?"),
-    *patterns("glue", None, "(?:it|its|they|where|here|completely|in all|"
+    *patterns("glue", None, "(?:it|its|they|here|completely|in all|"
         "entirely|all over|fill|fills|cover|covers|tile|occupied by|occupied|occupies|shall|must|be|"
         "upright|standing|lying|have|consists? of|contains?|have got|wanted|needed|required|fully|exclusively|"
         "solely|purely|only|just|nothing but|everything|everything is|all of (?:it|them)|the whole thing|throughout|"
         "it is all|all|for|becomes?|(?:so )?(?:it|they) (?:becomes?|forms?|makes?|is|are)|making|forming|surrounded by|"
         "a (?:row|line|layer) of|over the 4|centered)",
-        "stack up|erect|fill|tile|cover|enter|write|assemble|layout|"
+        "stack up|stack(?= NUM (?:layers|levels|tiers) )|erect|fill|tile|cover|enter|write|assemble|layout|"
         "showing|shows|occupy|occupies|hey|hi|hello|ok|okay|so|"
         "(?:would )?(?:you )?mind|building|making|constructing|arranging|laying|placing|putting|creating|down|"
         "(?:my|our) (?:son|daughter|kid|kids|child|boss|friend|wife|husband|customer|client)(?: wants?| needs?)?|"

@@ -19,12 +19,13 @@ _LONG = "(?:long|along|in length)"
 _AND = "(?: ,)?(?: and| by| x| times)?"
 _SIDE = "(?:sides?|edges?)(?: of it)?"
 _WAYS = "(?:way|direction|ways|directions)"
+_LIMB = "(?:(?:vertical |horizontal |long |short |upright )?(?:stroke|stem|foot|arm|leg|bar|line|limb|base|upright))"
 _ROW = (
     "(?: (?:along|at|in|on|for) (?:the |its )?(?:base|bottom|front|back|top|near side|far side|next|second|third|"
     "fourth|"
     "first|last|middle|near|far|rear|nearest|farthest|following|tip|apex|point|peak)(?: (?:row|one|line))?(?: "
-    "(?:behind|before|in front "
-    "of|after) (?:it|that|them))?)?"
+    "(?:behind|before|in front of|after) (?:it|that|them))?| (?:behind|before|in front of|after) (?:it|that|them|"
+    "those|these))?"
 )
 SIZES: list[Pattern] = [
     *patterns("dims", lambda m: ("x", *sorted(map(int, re.findall(r"\d+", m[0])), reverse=True)),
@@ -67,11 +68,11 @@ SIZES: list[Pattern] = [
         f"(?:on|along|to|at) a {_SIDE}"),
     *patterns("arm", lambda m: number(m["count"]),
         f"(?:with |and |so that )?(?:{_EACH} |(?:(?:the|its|with its) )?(?:[234] )?(?:equal )?)(?:arms?|legs?|"
-        f"branch|branches|limbs?|strokes?) {HAS}(?:exactly )?{COUNT}{_MADE_LONG}",
+        f"branch|branches|limbs?|strokes?|uprights?) {HAS}(?:exactly )?{COUNT}{_MADE_LONG}",
         f"(?:with )?{COUNT}{_MADE_LONG} (?:per|on|along|in|for|at|to|each|makes?|make up|form|forming)(?: "
         f"{_EACH})? (?:arms?|legs?|branch|branches|{_WAYS})",
         "(?:with )?(?P<count>NUM) BLOCK (?:long )?arms?", f"{COUNT} each {_WAYS}",
-        "arms (?P<count>NUM)(?: BLOCK)? long",
+        "arms (?P<count>NUM)(?: BLOCK)? long", f"(?:both|each)(?: of them)? {HAS}(?P<count>NUM)(?: BLOCK)? long",
         f"(?:with )?(?:4 )?arms {HAS}(?:length )?(?P<count>NUM)",
         f"(?:with |and )?(?:{_EACH} |(?:(?:the|its) )?(?:[234] )?)(?:arms?|branch|branches) {HAS}(?P<count>NUM)(?= "
         f"(?:SIZE )?COLOR )"),
@@ -85,7 +86,9 @@ SIZES: list[Pattern] = [
         ")?corner(?: BLOCK)?(?: in| to)?(?: (?:both|each|each one|both legs|both arms|each leg|each arm|each of "
         "them|both of them|the 2))?",
         "the corner(?: BLOCK)? (?:BE )?(?:counted|included|shared)(?: in| by)?(?: (?:both|each))?(?: of them| "
-        "legs?| arms?)?"),
+        "legs?| arms?)?",
+        f"(?:(?:the|both|its|these|whose|2) )*(?:they|which|arms|legs|strokes|limbs|parts|lines|{_LIMB} and (?:the |its "
+        f")?{_LIMB}) (?:BE )?(?:share|sharing|have) (?:the|a|one) (?:same |common )?corner(?: BLOCK)?(?: in common)?"),
     *patterns("equal", True, "(?:(?:with|and|having) )?(?:(?:the|its|both) )?(?:(?:both|2|4) )?(?:equal|equally "
         "long|same size|same length) (?:arms|legs|sides|strokes)",
         "(?:(?:with|and|having) )?(?:(?:the|its|both) )?(?:(?:both|2|4) )?(?:arms|legs|sides|strokes) (?:(?:BE|"
@@ -106,6 +109,15 @@ STEM = (
     "leg|trunk|post|shaft|tail|stalk|vertical(?: bar| line| stroke)?))"
 )
 _N = "(?:with )?(?:then )?(?P<another>another |the other |the remaining )?" + COUNT
+_ALONG_TOP = "(?: (?:along|across|at|on) (?:the|its) top)?"
+_HANGS = (
+    "(?:(?: (?:hangs?|hanging|goes|go|going|runs?|running|comes?|coming) down(?:wards)?)?(?: from (?:its|the) "
+    "(?:middle|center)(?: of (?:it|the bar))?)?)"
+)
+_TO_A_SIDE = "(?: (?:going|pointing|turning|turned|running|sticking out))? (?:to|towards?) the "
+_JOINS = "(?:joins?|joining|connects?|connecting|links?|linking|between|to (?:join|connect|link))"
+_OTHERS = "(?:them|these|both|(?:(?:the|both|its|these) )?(?:2 )?(?:arms|legs|sides|strokes|uprights|ends))"
+_BELOW = "(?: (?:at|on|along) the (?:bottom|base))?"
 
 
 def _further(match: re.Match[str]) -> bool:
@@ -118,18 +130,18 @@ LIMBS: list[Pattern] = [
         f"{_N}{_MORE}(?: BLOCK)?(?: go| goes| going| lie| lying| run| running)? (?:across|horizontal|horizontally|"
         f"{_FOR}(?:the |its )?{BAR}|across "
         f"(?:the |its )?(?:top|{BAR}|bar))(?: {_FOR}?the {BAR})?",
-        f"(?:the |its |a |whose |with a |with the )?{BAR}(?: of it)? {HAS}{COUNT}{_MORE}(?: BLOCK)?(?: long| wide| "
-        "across)?",
+        f"(?:the |its |a |whose |with a |with the )?{BAR}(?: of it)?{_ALONG_TOP} {HAS}{COUNT}{_MORE}(?: BLOCK)?(?: "
+        f"long| wide| across)?{_ALONG_TOP}",
         f"across (?:the )?top(?: row)? {HAS}{COUNT}", f"across(?: :)? {COUNT}"),
     *patterns("limb", lambda m: ("stem", number(m["count"]), _further(m)),
         f"{_N}{_MORE}(?: BLOCK)?(?: going| go| running| run| lie| lying| hanging| hang| sticking)? (?:{_FOR}(?:the "
-        f"|its )?{STEM}|down(?:wards?)?(?: (?:from )?(?:the|its) (?:middle|center|stem))?|below(?: (?:it|them|that|"
+        f"|its )?{STEM}|down(?:wards?)?(?: (?:from )?(?:the|its) (?:middle|center|stem)(?: one| BLOCK)?(?: of (?:it|the bar))?)?|below(?: (?:it|them|that|"
         "the bar|the middle(?: one| BLOCK)?))?(?: in the (?:middle|center))?|vertical|vertically|down from the "
         "(?:middle|center)|"
         "under (?:it|the "
         f"middle|the bar)|underneath(?: it)?)(?: in the middle)?(?: (?:as|for) (?:the|its) {STEM})?",
         f"(?:(?:below|under|underneath)(?: (?:it|that|the {BAR}))? )?(?:the |its |a |whose |with a |with the "
-        f")?{STEM}(?: of it)? {HAS}{COUNT}{_MORE}(?: BLOCK)?(?: long| high| tall)?(?: (?:below|under|underneath)(?: "
+        f")?{STEM}(?: of it)?{_HANGS} {HAS}{COUNT}{_MORE}(?: BLOCK)?(?: long| high| tall)?(?: (?:below|under|underneath)(?: "
         f"(?:it|the {BAR}))?)?", f"down(?:wards)?(?: :)? {COUNT}"),
     *patterns("limb", lambda m: ("ups", number(m["count"]), _further(m)),
         f"{_N}{_MORE}(?: BLOCK)? (?:going |standing |straight )?up(?:wards?)? (?:on|at) (?:each|either|both|each of "
@@ -159,6 +171,17 @@ LIMBS: list[Pattern] = [
         lambda m, side=side: (number(m["count"]), _further(m), side),
         f"{_N}{_MORE}(?: BLOCK)?(?: going| pointing| go| as (?:the|its) foot)? (?:to|towards?) the {side}",
         f"{_N}{_MORE}(?: BLOCK)? (?:for|as|in) (?:the |its )?foot (?:going |pointing |turning |sticking out "
-        f")?(?:to|towards?) the {side}")),
+        f")?(?:to|towards?) the {side}",
+        f"(?:(?:at|from) (?:the|its) (?:near|lower|bottom|front) end(?: ,)? )?(?:the |its |a |whose |with a |with "
+        f"the )?(?:foot|base|toe|(?:short|shorter|horizontal|bottom) {_ARM}) {HAS}{COUNT}{_MORE}(?: BLOCK)?(?: "
+        f"long)?{_TO_A_SIDE}{side}")),
+    *patterns("limb", lambda m: ("joint", number(m["count"]), False),
+        f"(?:the |its |a |with a |with the )?(?:base|bottom|{BAR}) (?:that |which )?{_JOINS} {_OTHERS}{_BELOW} "
+        f"{HAS}{COUNT}{_MORE}",
+        f"(?:(?:the |its |a |with a |with the )?(?:base|bottom|{BAR}) {HAS})?{COUNT}{_MORE} (?:that |which "
+        f")?{_JOINS} {_OTHERS}{_BELOW}",
+        f"(?:that |which )?(?:BE )?(?:joined|connected|linked|closed){_BELOW} (?:by|with) (?:an? (?:base|bar) of "
+        f")?{COUNT}{_BELOW}",
+        f"{COUNT}{_MORE} (?:(?:that |which )?closes?|closing|to close|to fill) (?:the |its )?(?:bottom|base|gap)"),
 ]  # fmt: skip
 """Value: the limb, how many blocks, whether besides those told before."""

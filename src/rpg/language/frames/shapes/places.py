@@ -56,7 +56,8 @@ WAYS: list[Pattern] = [
         f"(?:(?:as|when|if) )?(?:it BE )?(?:seen|viewed|looked at|visible|read|reading)? ?from (?:where {_VIEWER} "
         f"(?:sit|sits|stand|"
         f"stands|am|are|is|look|looks)|(?:my|our|your)(?: own)? {_SPOT}|{_VIEWER}(?: 's)?(?: {_SPOT})?)",
-        f"(?:as|when|if) {_VIEWER} (?:see|sees|look at|looks at|read|reads)(?: (?:it|them|this|that))?"),
+        f"(?:as|when|if) {_VIEWER} (?:see|sees|look at|looks at|read|reads)(?: (?:it|them|this|that))?",
+        f"(?:that |what )?{_VIEWER} (?:(?:should|must|can|shall|will) )?(?:see|sees|read|reads)(?= (?:is )?(?:an?|the) )"),
     *(found for side in ("left", "right") for found in patterns("way", ("foot", side),
         "(?:(?:its|the) )?foot (?:BE )?(?:at|on|in) the (?:near|bottom|lower|front)(?: end| side| edge)? "
         f"{_POINTS}(?:{_TOWARD[side]})")),
@@ -79,7 +80,7 @@ _PLACES = {
     "center": ("(?:BE )?(?:right |exactly |directly |placed |set |put )?(?:in|at|as|for|into|forming) (?:(?:the|"
     "its|a|her) )?(?:very |exact |dead )?(?:middle|center|heart|core|hub|crossing|hole)(?: BLOCK| one| piece| "
     f"point| position)?{_OF_IT}(?! of the TABLE| row)",
-               "(?:(?:the|its|a|whose) )?(?:middle|center|central|heart|core|hub|inner(?= (?:BLOCK|one) ))(?: "
+               "(?:(?:the|its|a|whose) )?(?:middle|center|central|heart|core|hub|crossing|inner(?= (?:BLOCK|one) ))(?: "
                "BLOCK| one| piece)?(?! of "
                f"the TABLE| row){_OF_IT}",
                f"(?:BE )?(?:inside|within)(?: (?:of )?{IT})?", "(?:BE )?(?:in )?between(?: them)?", "dead center"),
@@ -87,6 +88,8 @@ _PLACES = {
     "one)?|the one in the (?:middle|center)|that one))?(?: on (?:all|its|the) (?:4 )?sides)?(?! (?:an?|the|NUM|"
     "this) )(?! COLOR)",
                "(?:BE )?on (?:all|the|its) (?:4 )?sides(?: of it)?", "(?:BE )?(?:at|on|for) the outside",
+               "(?:that |which )?(?:surrounds?|surrounding|encircles?|encircling|encloses?|enclosing) (?:it|that one|the "
+               "(?:middle|center)(?: BLOCK| one)?|the one in the (?:middle|center))",
                "(?:the )?outer (?:ones|BLOCK)"),
     "corners": (f"(?:BE )?(?:(?:in|at|on|as|for) )?{_ITS}(?:corners?|vertices|vertex|corner points)(?: BLOCK| "
     f"ones)?{_OF_IT}", "at corners"),
@@ -100,7 +103,8 @@ _PLACES = {
     "(?:BE )?down(?:wards)? (?:in )?the (?:middle|center)",
     "(?:BE )?(?:below|underneath|beneath|under it|below it)(?= [,.;])"),
     "tip": (
-    f"(?:BE )?(?:(?:in|at|as|for|on|forming) )?(?:(?:the|its|whose|a) )?(?:tip|point|apex|peak)(?: BLOCK)?{_OF_IT}",),
+    f"(?:BE )?(?:(?:in|at|as|for|on|forming) )?(?:(?:the|its|whose|a) )?(?:tip|point|apex|peak)(?: BLOCK)?{_OF_IT}(?: "
+    "(?:where|at which) (?:they|(?:the|its|both) arms) (?:meet|join))?",),
     "base": ("(?:BE )?(?:(?:in|at|as|for|on|forming|along) )?(?:(?:the|its|a) )?(?:base|bottom|bottom (?:row|line|"
     "bar|part))",),
     "rest": ("(?:all )?(?:of )?(?:the |its )?(?:rest|others|remainder|remaining (?:ones|BLOCK)|other (?:ones|"

@@ -261,11 +261,18 @@ def _you(pieces: Sequence[Piece], total: int | None) -> Sized:
     limbs, arm, dims = _limbs(pieces), _value(pieces, "arm"), _value(pieces, "dims")
     wide = limbs.pop("short", limbs.pop("bar", limbs.pop("along", (None, False))))[0]
     ups = limbs.pop("ups", None)
+    between, _ = limbs.pop("joint", (0, False))
     deep = limbs.pop("long", limbs.pop("stem", limbs.pop("up", ups or (arm, False))))[0]
     if ups and wide and ups[1]:
         return Sized("a U", f", {wide} blocks wide and {deep + 1} blocks deep,", _agreed(total, wide + 2 * deep))
     if limbs or (dims and (wide or deep)):
         raise Unclear
+    if between:
+        deep = deep or _value(pieces, "side")
+        if wide or dims or not deep or (total is None and between > 2):
+            raise Unclear  # are the corners those of the base that "joins them"?
+        found = _agreed(total, between + 2 * deep)
+        return Sized("a U", f", {between + 2} blocks wide and {deep} blocks deep,", found)
     side = _value(pieces, "side")
     if side and not (dims or wide or deep):
         return Sized("a U", f", {side} blocks wide and {side} blocks deep,", _agreed(total, 3 * side - 2))

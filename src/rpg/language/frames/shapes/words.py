@@ -44,8 +44,8 @@ FILL: list[Pattern] = [
         "hollow|clear|unfilled|bare|vacant|blank)",
         "(?:that |which )?(?:BE )?(?:left |kept )?(?:empty|hollow|free|open|unfilled)(?: BE)? (?:inside|within|in "
         "the (?:middle|center|inside)|in its (?:middle|center)|in it|in middle|in center|on the inside|in between)",
-        "(?:leaving|leave|keeping|keep|leaves|keeps) (?:the |its )?(?:inside|interior|middle|center)(?: of it)? "
-        "(?:empty|free|open|clear|unfilled|hollow)",
+        f"(?:leaving|leave|keeping|keep|leaves|keeps) (?:the |its )?(?:inside|interior|middle|center)(?: of {IT})? "
+        "(?:empty|free|open|clear|unfilled|hollow|bare|blank)",
         "(?:and |with )?(?:there is |has )?(?:nothing|no BLOCK)(?: BE)? (?:inside|within|in the (?:middle|center|"
         f"inside)|in its (?:middle|center)|in it|inside it|in middle|in between)(?: of {IT})?",
         "without (?:anything|any BLOCK|a BLOCK|BLOCK) (?:inside|within|in the (?:middle|center)|in it|inside it)",

@@ -78,6 +78,7 @@ _KINDS = (("odd(?: ones| numbers| digits| blocks)?", "odd numbers"),
           ("even(?: ones| numbers| digits| blocks)?", "even numbers"),
           ("vowels", "vowels"), ("consonants", "consonants"))  # fmt: skip
 _ENDS = (("(?:back|rear|far)", "(?:front|near)", "in front of"), ("(?:front|near)", "(?:back|rear|far)", "behind"))
+_PUT = "(?:put|place|set|lay|stack|build)"
 _DONE = "(?:(?:put|place|set|arrange|lay|make|build|form|line up) )?"
 _ALSO = "(?: ,| and| , and)?"
 _HAS = f"(?:of|with|made of|made from|has|is|are|contains|consists of|being|{MUST} (?:be|have|contain|consist of))"
@@ -151,6 +152,12 @@ TWO_ROWS_AT_ONCE: tuple[Turn, ...] = (
      "{1} and {2} in front"),
     (f"^(.*\\b(?:two|2) rows\\b.*? in)(?: the)? front(?: row)?{_ALSO} (.+?) behind(?: {_IT})?$", "{1} front and {2} "
      "in the back"),
+    (f"^(.*\\b(?:three|3) rows\\b.*? (?:in|at)(?: the)? front(?: row)?{_ALSO} (?:.+?)) behind(?: {_IT})?({_ALSO} .+? "
+     "(?:in|at) the (?:very )?(?:back|rear)(?: row)?)$", "{1} in the middle {2}"),
+    # a row on a row
+    (f"\\b(an? row of (?:{MANY} )?(?:{COLOR} )?{_MADE})(?: ,)? (?:with|and)(?: {_PUT})? (an?(?: second| another)? row of "
+     f"(?:{MANY} )?(?:{COLOR} )?{_MADE}) (?:(?:stacked|placed|put|lying|standing|sitting) )?(?:directly |right )?on(?: "
+     "top of)? (?:it|them)$", "{1} , and on top of them {2}"),
     (f"\\b({MANY}) ranks?\\b", "{1} rows"),
     (f"\\b({_AT}) rank\\b", "{1} row"),
     ("\\b(\\w) thru (\\w)\\b", "{1} to {2}"),

@@ -4,6 +4,7 @@ ones"; and a pyramid told by squares on top of each other."""
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from math import prod
 
 from rpg.language.frames.grids.words import Place
@@ -13,15 +14,16 @@ from rpg.language.frames.pieces import Pattern, Piece, Unclear, patterns
 _SIZED = r"(?= (?:an?|the) (?:\d+x\d+|\d+ (?:by|x) \d+) )"
 _ALL_SIDES = "(?: on all (?:its )?(?:4 )?sides| all (?:a?round|the way a?round))?"
 FRAMING: list[Pattern] = [
-    *patterns("framing", "last", f"(?:that |which )?(?:all (?:the way )?)?(?:a?round|surround(?:s|ing)?|enclos(?:es|ing)|"
-        f"encircl(?:es|ing)){_SIZED}"),
+    *patterns("framing", "last",
+        "(?:that |which )?(?:all (?:the way )?)?(?:a?round|surround(?:s|ing)?|enclos(?:es|ing)|encircl(?:es|ing))"
+        f"{_SIZED}"),
     *patterns("framing", "first",
         f"(?:that |which )?(?:BE )?(?:surrounded|framed|bordered|enclosed|encircled|ringed){_ALL_SIDES} (?:by|with)"),
     *patterns("glue", None, r"(?<=x\d )(?:layers?|levels?|tiers?|slabs?|sheets?)"),
 ]  # fmt: skip
 """Kind "framing": whether what is framed is told last, or first."""
 _ON_IT = frozenset({"above", "above it", "top", "next"})
-_PARTS = frozenset({"glue", "break", "figure", "dims", "lot", "place", "then", "filled", "flat"})
+_PARTS = frozenset({"glue", "break", "figure", "dims", "base", "lot", "place", "then", "filled", "flat"})
 
 
 def composed(pieces: Sequence[Piece]) -> list[Piece]:
@@ -73,25 +75,27 @@ def _unframed(piece: Piece) -> Piece:
 
 def _terraced(pieces: Sequence[Piece]) -> list[Piece]:
     """Squares on top of each other, each smaller by one, as a pyramid with layers of these colours."""
-    if sum(piece.kind == "dims" for piece in pieces) < 2 or any(p.kind not in _PARTS | {"where"} for p in pieces):
+    squares = [piece for piece in pieces if piece.kind in ("dims", "base")]
+    layers = [piece.value for piece in pieces if piece.kind == "size"]
+    if len(squares) < 2 or any(p.kind not in _PARTS | {"where", "size"} for p in pieces):
         return list(pieces)
     levels: list[list[Piece]] = [[]]
     for piece in pieces:
         if piece.kind in ("break", "then"):
             levels += [[]] if {p.kind for p in levels[-1]} & {"lot", "dims"} else []
-        elif piece.kind in ("dims", "lot", "place"):
-            levels[-1].append(piece)
+        elif piece.kind in ("dims", "base", "lot", "place"):
+            levels[-1].append(replace(piece, kind="dims") if piece.kind == "base" else piece)
     levels = [level for level in levels if level]
     told = [{piece.kind: piece for piece in level} for level in levels]
     if any(len(parts) != len(level) or "lot" not in parts for parts, level in zip(told, levels, strict=True)):
-        raise Unclear
+        return list(pieces)
     sizes = [parts["dims"].value if "dims" in parts else (1, 1) for parts in told]
-    if sizes != [(n, n) for n in range(len(told), 0, -1)]:
-        raise Unclear
+    if sizes != [(n, n) for n in range(len(told), 0, -1)] or layers not in ([], [{"layers": len(told)}]):
+        return list(pieces)
     sides = [parts["place"].value.side if "place" in parts else "" for parts in told]
-    for parts, size, side in zip(told, sizes, sides, strict=True):
-        if side not in (("", "bottom") if parts is told[0] else _ON_IT):
-            raise Unclear
+    for n, (parts, size, side) in enumerate(zip(told, sizes, sides, strict=True), 1):
+        if side not in (str(n), *(("", "bottom") if n == 1 else _ON_IT)):
+            return list(pieces)
         if lot_of(parts["lot"]).count not in ({1} if size == (1, 1) else {None, prod(size)}):
             raise Unclear
     base = Piece("base", told[0]["dims"].words, sizes[0])

@@ -39,6 +39,7 @@ class Filling:
             self._list()
         for place, blocks in self._rests:
             rest = [cell for cell in figure.cells if cell not in self.looks]
+            blocks = _repeated(blocks)
             lines = self._left_lines(self._axis) if self._axis and place.many else []
             if place.many not in (0, len(rest), len(lines)) or not self.looks:
                 raise Unclear
@@ -57,6 +58,8 @@ class Filling:
             raise Unclear
         if any(place.kind == "cells" and place.many for place in places) and blocks[0].count == 1:
             blocks = [replace(blocks[0], count=None)]  # "one in each corner"
+        if all(place.kind == "cells" for place in places) and len(found) > 1:
+            blocks = _repeated(blocks)
         self._put(found, blocks)
 
     def _left_lines(self, axis: str) -> list[int]:
@@ -220,6 +223,11 @@ class Filling:
         if not column or line not in _ENDS[self.figure.axis]:
             raise Unclear
         return [corners[(2 if _ENDS[self.figure.axis][line] else 0) + (column == "right")]]
+
+
+def _repeated(blocks: list[Blocks]) -> list[Blocks]:
+    """A symbol at several places is on each of them: "O everywhere else"."""
+    return [replace(blocks[0], count=None)] if len(blocks) == 1 and blocks[0].label else blocks
 
 
 def _again(blocks: list[Blocks]) -> bool:

@@ -105,8 +105,9 @@ def _figure(pieces: Sequence[Piece]) -> tuple[str, str]:
     words = " ".join([dims, *(piece.words for piece in pieces if piece.kind in ("figure", "square", "filled", "flat"))])
     rows = any("rows" in piece.value for piece in pieces if piece.kind == "size")
     sizes = [piece.value for piece in pieces if piece.kind == "dims"]
+    filled = any(p.kind == "filled" for p in pieces) or not _FILLED.isdisjoint(dims.split())
     narrow = bool(sizes) and min(sizes[0]) == 2  # its outline is all of it
-    if any(pieces[n].value == "outline" for n in at) and not rows and not narrow and _FILLED.isdisjoint(dims.split()):
+    if any(pieces[n].value == "outline" for n in at) and not rows and not narrow and not filled:
         raise Unclear  # of a rectangle without a word more the outline is meant
     kinds = {{"board": "grid", "outline": "rectangle"}.get(pieces[n].value, pieces[n].value) for n in at}
     if len(kinds) > 1:
@@ -163,7 +164,7 @@ def _check(pieces: Sequence[Piece], kind: str, parts: Said) -> None:
         if added and parts.free and after.words.split()[0] in ("layer", "row", "level"):
             raise Unclear  # "a red wall with a blue layer on top" may have a layer more
     kinds = {piece.kind for piece in pieces}
-    labels = [item for item in [*parts.free, *(one for _, items in parts.placed for one in items)] if item.label]
+    labels = [item for item in parts.all if item.label]
     if ("taper" in kinds and kind != "pyramid") or ("symbols" in kinds and not labels):
         raise Unclear
     if ("square" in kinds and kind != "pyramid") or (by_turns(pieces) and parts.axis and len(parts.listed) != 2):
@@ -183,7 +184,7 @@ def _sizes(pieces: Sequence[Piece], parts: Said) -> Sizes:
                 raise Unclear
     base = one(pieces, "base")
     parts.based = bool(base or {"base", "line"} & set(each))
-    bases = [item.base for item in [*parts.free, *(item for _, items in parts.placed for item in items)] if item.base]
+    bases = [item.base for item in parts.all if item.base]
     if bases:
         return Sizes(each, None, base.value if base else max(bases))
     dims = one(pieces, "dims")
@@ -255,7 +256,8 @@ def _check_layers(figure: Figure, parts: Said, sizes: Sizes, pieces: Sequence[Pi
     free = [item for item in parts.free if item.look]
     below = figure.widths[-1] if {"base", "line"} & set(sizes.each) else 0
     counted = sum(any(item.count for item in items) for _, items in parts.placed)
-    if filled + below < len(figure.cells) and counted > bool(free) and _total(parts) is None:
+    tapers = any(piece.kind == "taper" for piece in pieces) and not any(item.look for item in parts.all)
+    if not tapers and filled + below < len(figure.cells) and counted > bool(free) and _total(parts) is None:
         raise Unclear
     falling = all((this.count or 0) - (next_.count or 0) == 1 for this, next_ in pairwise(free))
     if falling and len(free) > 1 and not parts.placed:
@@ -305,6 +307,8 @@ def _cells(figure: Figure, looks: Mapping[Cell, str]) -> str:
     if len({*figure.widths}) > 1 and not figure.flat and all(len(layer) == 1 and all(layer) for layer in layers):
         upward = [look for layer in reversed(layers) for look in layer]
         return f", layers from bottom to top: {', '.join(upward)}."  # in whatever direction it stands
+    if all(len(look) == 1 for look in listed):
+        return f" in the order {', '.join(listed)}."  # symbols "in reading order" might be sorted
     return f", in reading order: {', '.join(listed)}."
 
 
@@ -337,6 +341,8 @@ def _checkered(figure: Figure, parts: Said) -> str:
         return f"{board} from {rows * columns} blocks."
     if len(found) == 1:
         return f"Build {figure.told}{_cells(figure, found[0][0])}"
-    if not found or not figure.flat:
+    if not found:
         raise Unclear
+    if not figure.flat:
+        return f"Build {figure.told} of {names[0]} and {names[1]} blocks in a checkerboard pattern."
     return f"{board} of {names[0]} and {names[1]} blocks."

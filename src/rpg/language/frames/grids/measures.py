@@ -82,7 +82,8 @@ SIZES: list[Pattern] = [
         rf"(?P<deep>NUM) {_N}(?:deep|in depth|from front to back|from back to front)",
         r"(?:a |the |its )?depth (?:(?:of|is|:|being) )*(?P<deep>NUM)(?: BLOCK)?",
         rf"(?:with )?(?P<side>NUM) {_N}(?:on|along|to|per|at|in) (?:(?:each|every|a|one|its) )?(?:side|edge)",
-        r"(?:with )?(?:an? )?(?:side|sides|edge|edges)(?: lengths?)? (?:of|being|is|:) (?P<side>NUM)(?: BLOCK)?",
+        r"(?:with )?(?:an? )?(?:side|sides|edge|edges)(?:(?: lengths?)? (?:of|being|is|:)| lengths?) (?P<side>NUM)"
+        "(?: BLOCK)?",
         rf"(?:its |whose |the )?{_BASE}{_OF} (?P<base>NUM){_NO_LOOK}(?: BLOCK)?",
         rf"(?:its |whose |the )?(?:{_BASE_ROW}){_OF} (?P<line>NUM){_NO_LOOK}(?: BLOCK)?",
         rf"(?:its |whose |the )?{_BASE}{_OF} (?P<line>NUM)(?: BLOCK)? (?:wide|long|across|in (?:a|one) (?:row|line))",
@@ -94,13 +95,17 @@ SIZES: list[Pattern] = [
         "(?: square)?",
         rf"(?:(?:its|the|a|with|on|of) )*{_DIMS}(?: BLOCK)? (?:square )?(?:base|based|footprint)(?: layer)?"),
     *patterns("square", None, "(?:(?:on|with|having) )?(?:a )?square (?:base|ground plan|footprint)", "(?:whose |its "
-        "|the )base is (?:a )?square"),
+        "|the )base is (?:a )?square",
+        "(?:arranged |placed |laid )?in a square(?= (?:at|on|in|as) the (?:bottom|base) )"),
     *patterns("taper", None,
         "(?:with )?(?:always )?(?:one|a BLOCK) (?:BLOCK )?(?:fewer|less) (?:(?:in|on|for|with|at) )?(?:each|every)"
         "(?: next| higher)? (?:layer|row|level|step)(?: (?:above|up|going up|higher))?(?: it| that)?",
         "(?:each|every)(?: next| higher)? (?:layer|row|level)(?: above)?(?: it)?(?: (?:has|is|having|being))? "
-        "(?:one|1) (?:BLOCK )?(?:fewer|less|smaller|shorter)(?: than the (?:one|layer|row) (?:below|under|beneath)"
-        "(?: it)?)?"),
+        "(?:one|1) (?:BLOCK )?(?:fewer|less|smaller|shorter|narrower)(?: than the (?:one|layer|row) (?:below|under|"
+        "beneath)(?: it)?)?",
+        "(?:(?:which|that) )?(?:gets?|getting|becomes?|becoming|is|being) (?:(?:one|a) BLOCK |by one )?(?:narrower|"
+        "shorter|smaller) (?:with|in|at|by) (?:each|every)(?: next| higher)? (?:layer|row|level|step)(?: (?:above|up|"
+        "upwards))?"),
     *patterns("glue", None, r"(?:by|x|times)(?= \d+ (?:rows|columns|files|layers|levels) )"),
     *patterns("apiece", None, "each", "apiece", "(?:in|per|for) (?:each|every|a)? ?(?:row|column|layer)"),
 ]  # fmt: skip

@@ -44,6 +44,11 @@ class Said:
     alternating: bool = False
     based: bool = False
 
+    @property
+    def all(self) -> list[Blocks]:
+        """All blocks, with a place or without."""
+        return [*self.free, *(item for _, items in self.placed for item in items)]
+
 
 def by_turns(pieces: Sequence[Piece]) -> bool:
     """Whether colours are told to take turns, by themselves or of rows: "with alternating rows of red and white"."""

@@ -113,7 +113,7 @@ FIGURES: list[Pattern] = [
     *patterns("figure", "cube",
         f"{_KINDS}(?:big|large|huge|giant|bigger|larger|solid|compact)(?: solid)? (?:cube|block|cuboid|box)", "cuboid",
         "(?:cube|block)(?= (?:of|from|out of|made|consisting|built|that is made|which is made|that consists|which "
-        "consists|with an? (?:edge|side)) )", r"cube(?= \d+x\d+x\d+ )",
+        "consists|with (?:an? )?(?:edge|side)) )", r"cube(?= \d+x\d+x\d+ )",
         r"(?<=\dx\d )cube", r"(?<=\dx\dx\d )cube"),
     *patterns("figure", "board", f"{_KINDS}{_BOARD}(?: pattern| grid| square)?",
         f"{_KINDS}(?:checkered|chequered|checkerboard|chessboard|chess) (?:floor|area|surface|field|tiling|mat|plane|"
@@ -208,7 +208,8 @@ PLACES: list[Pattern] = [
         f"{_IN}(?:the |its )?(?:inner|interior|inside) (?:blocks|cubes|ones|cells)"),
     *patterns("place", lambda match: Place("cells", "inside", None, 0, int(match["count"])),
         rf"{_IN}(?:the |its )?(?:inner|interior|inside) (?P<count>4|6|8|9)(?: BLOCK| ones| cells| squares)?"
-        r"(?! (?:rows|columns|layers|by|x))"),
+        r"(?! (?:rows|columns|layers|by|x))",
+        rf"{_IN}(?:the |its )?(?P<count>\d+) (?:inner|interior|inside) (?:BLOCK|ones|cells|squares|places)"),
     *patterns("place", _diagonal,
         rf"{_IN}(?:the )?(?:main )?diagonal (?:(?:which|that) )?(?:(?:goes|runs|going|running|leading) )?from (?:the "
         rf")?(?P<a>{_FAR}|{_NEAR}) (?P<b>left|right)"
@@ -224,8 +225,9 @@ PLACES: list[Pattern] = [
         f"(?:everywhere|everything|anywhere) else{_OF}", "elsewhere", "otherwise", "everywhere", "the other color(?: "
         "is| being)?",
         "(?:all )?(?:(?:of )?the )?(?:others|rest|remainder)(?: of (?:it|them))?", r"(?:all )?the (?P<many>\d+) others",
-        r"(?:all )?(?:the )?(?:other|remaining)(?: (?P<many>\d+))? (?:blocks|cubes|pieces|ones|cells|squares|"
-        r"positions|places|rows|columns|layers)", r"the other (?P<many>\d+)|(?:the )?remaining (?P<many_>\d+)"),
+        r"(?:in |on |at )?(?:all )?(?:the )?(?:other|remaining)(?: (?P<many>\d+))? (?:blocks|cubes|pieces|ones|"
+        r"cells|squares|positions|places|rows|columns|layers)",
+        r"the other (?P<many>\d+)|(?:the )?remaining (?P<many_>\d+)"),
 ]  # fmt: skip
 """Kind "place"."""
 JOINTS: list[Pattern] = [
@@ -264,7 +266,8 @@ JOINTS: list[Pattern] = [
         "(?:the )?colors?(?: of (?:(?:the|all) )*(?:blocks|cubes|it|them))?(?: is| :| being)?|"
         "compact|solid|them(?= (?:out )?(?:as|in|into|to) )"),
     *patterns("break", None, "whose|such that|so that|(?:all )?(?:on|of|with|in) which"),
-    *patterns("glue", None, "lay|set|put|spread", "out(?= (?:as|in|of|on|into|a|the) )", "make up", "erected|raised",
+    *patterns("glue", None, "lay|set|put|spread|makes|it makes", "out(?= (?:as|in|of|on|into|a|the) )",
+        "make up", "erected|raised",
         "arrangement|formation|structure|pattern|shape", "(?:somewhere|anywhere)(?= (?:in|on) )"),
     *patterns("over", "center",
         f"(?:(?:(?:that|which) )?(?:BE )?(?:put|placed|set|sitting|resting) )?(?:onto|on top of|atop|over|"

@@ -223,6 +223,8 @@ def _placed(lot: Lot, piece: Piece, part: str) -> tuple[Lot, str]:
     several = lot.count is None and ("many" in piece.named or piece.named.get("noun", "").endswith("s"))
     if part in SINGLE and (several or lot.count not in (None, 1)):
         raise Unclear
+    if part in ("bar", "stem", "base") and piece.named.get("det") in ("a", "an") and "noun" not in piece.named:
+        return replace(lot, count=None), part  # "a red bar"
     return lot, part
 
 

@@ -87,8 +87,9 @@ SIZES: list[Pattern] = [
         "them|both of them|the 2))?",
         "the corner(?: BLOCK)? (?:BE )?(?:counted|included|shared)(?: in| by)?(?: (?:both|each))?(?: of them| "
         "legs?| arms?)?",
-        f"(?:(?:the|both|its|these|whose|2) )*(?:they|which|arms|legs|strokes|limbs|parts|lines|{_LIMB} and (?:the |its "
-        f")?{_LIMB}) (?:BE )?(?:share|sharing|have) (?:the|a|one) (?:same |common )?corner(?: BLOCK)?(?: in common)?"),
+        f"(?:(?:the|both|its|these|whose|2) )*(?:they|which|arms|legs|strokes|limbs|parts|lines|{_LIMB} and (?:the |"
+        f"its )?{_LIMB}) (?:BE )?(?:share|sharing|have) (?:the|a|one) (?:same |common )?corner(?: BLOCK)?(?: in "
+        "common)?"),
     *patterns("equal", True, "(?:(?:with|and|having) )?(?:(?:the|its|both) )?(?:(?:both|2|4) )?(?:equal|equally "
         "long|same size|same length) (?:arms|legs|sides|strokes)",
         "(?:(?:with|and|having) )?(?:(?:the|its|both) )?(?:(?:both|2|4) )?(?:arms|legs|sides|strokes) (?:(?:BE|"
@@ -135,14 +136,15 @@ LIMBS: list[Pattern] = [
         f"across (?:the )?top(?: row)? {HAS}{COUNT}", f"across(?: :)? {COUNT}"),
     *patterns("limb", lambda m: ("stem", number(m["count"]), _further(m)),
         f"{_N}{_MORE}(?: BLOCK)?(?: going| go| running| run| lie| lying| hanging| hang| sticking)? (?:{_FOR}(?:the "
-        f"|its )?{STEM}|down(?:wards?)?(?: (?:from )?(?:the|its) (?:middle|center|stem)(?: one| BLOCK)?(?: of (?:it|the bar))?)?|below(?: (?:it|them|that|"
+        f"|its )?{STEM}|down(?:wards?)?(?: (?:from )?(?:the|its) (?:middle|center|stem)(?: "
+        f"one| BLOCK)?(?: of (?:it|the bar))?)?|below(?: (?:it|them|that|"
         "the bar|the middle(?: one| BLOCK)?))?(?: in the (?:middle|center))?|vertical|vertically|down from the "
         "(?:middle|center)|"
         "under (?:it|the "
         f"middle|the bar)|underneath(?: it)?)(?: in the middle)?(?: (?:as|for) (?:the|its) {STEM})?",
         f"(?:(?:below|under|underneath)(?: (?:it|that|the {BAR}))? )?(?:the |its |a |whose |with a |with the "
-        f")?{STEM}(?: of it)?{_HANGS} {HAS}{COUNT}{_MORE}(?: BLOCK)?(?: long| high| tall)?(?: (?:below|under|underneath)(?: "
-        f"(?:it|the {BAR}))?)?", f"down(?:wards)?(?: :)? {COUNT}"),
+        f")?{STEM}(?: of it)?{_HANGS} {HAS}{COUNT}{_MORE}(?: BLOCK)?(?: long| high| tall)?(?: (?:below|under|"
+        f"underneath)(?: (?:it|the {BAR}))?)?", f"down(?:wards)?(?: :)? {COUNT}"),
     *patterns("limb", lambda m: ("ups", number(m["count"]), _further(m)),
         f"{_N}{_MORE}(?: BLOCK)? (?:going |standing |straight )?up(?:wards?)? (?:on|at) (?:each|either|both|each of "
         "the|both of its) (?:sides?|ends?)", f"{_N}{_MORE}(?: BLOCK)? (?:on|at) (?:each|either) (?:side|end) going up"),

@@ -57,7 +57,8 @@ WAYS: list[Pattern] = [
         f"(?:sit|sits|stand|"
         f"stands|am|are|is|look|looks)|(?:my|our|your)(?: own)? {_SPOT}|{_VIEWER}(?: 's)?(?: {_SPOT})?)",
         f"(?:as|when|if) {_VIEWER} (?:see|sees|look at|looks at|read|reads)(?: (?:it|them|this|that))?",
-        f"(?:that |what )?{_VIEWER} (?:(?:should|must|can|shall|will) )?(?:see|sees|read|reads)(?= (?:is )?(?:an?|the) )"),
+        f"(?:that |what )?{_VIEWER} (?:(?:should|must|can|shall|will)(?: be able to)? )?(?:see|sees|read|"
+        "reads)(?= (?:is )?(?:an?|the) )"),
     *(found for side in ("left", "right") for found in patterns("way", ("foot", side),
         "(?:(?:its|the) )?foot (?:BE )?(?:at|on|in) the (?:near|bottom|lower|front)(?: end| side| edge)? "
         f"{_POINTS}(?:{_TOWARD[side]})")),
@@ -66,6 +67,9 @@ WAYS: list[Pattern] = [
           f"(?:(?:that|which|it|and|must|should|shall) )*(?:BE )?(?:opens?|opened|opening|open)(?: up)? (?:{toward})"),
       *patterns("way", ("", side),
           f"(?:(?:that|which|it|must|should|shall) )*(?:BE )?(?:points?|pointing|pointed) (?:{toward})"))),
+    *patterns("way", ("stem", "front"),
+        "(?:, )?(?:which |that )?(?:starts?|starting|begins?|beginning|attached) (?:under|below|underneath|at|from) "
+        f"(?:the|its) (?:middle|center)(?: (?:BLOCK|one))?(?: of (?:it|the {BAR}))?"),
     *patterns("way", ("all", "over"), "(?:but )?(?:that |which )?(?:BE )?(?:turned )?upside down", "inverted"),
     *(found for base, tip in (("front|near|nearest", "back"), ("back|far|farthest", "front"), ("left", "right"),
       ("right", "left")) for found in patterns("base", lambda m, tip=tip: (number(m["count"]), tip),
@@ -88,8 +92,8 @@ _PLACES = {
     "one)?|the one in the (?:middle|center)|that one))?(?: on (?:all|its|the) (?:4 )?sides)?(?! (?:an?|the|NUM|"
     "this) )(?! COLOR)",
                "(?:BE )?on (?:all|the|its) (?:4 )?sides(?: of it)?", "(?:BE )?(?:at|on|for) the outside",
-               "(?:that |which )?(?:surrounds?|surrounding|encircles?|encircling|encloses?|enclosing) (?:it|that one|the "
-               "(?:middle|center)(?: BLOCK| one)?|the one in the (?:middle|center))",
+               "(?:that |which )?(?:surrounds?|surrounding|encircles?|encircling|encloses?|enclosing) (?:it|that one|"
+               "the (?:middle|center)(?: BLOCK| one)?|the one in the (?:middle|center))",
                "(?:the )?outer (?:ones|BLOCK)"),
     "corners": (f"(?:BE )?(?:(?:in|at|on|as|for) )?{_ITS}(?:corners?|vertices|vertex|corner points)(?: BLOCK| "
     f"ones)?{_OF_IT}", "at corners"),

@@ -60,8 +60,7 @@ def told(pieces: Sequence[Piece]) -> str:
         said.free = [Lot(hues.pop())]
     if shape == "plus" and said.numbers == {"center": 1}:
         pieces = [*pieces, Piece("apart", "", True)]  # "two on each arm and one in the middle"
-    armed = any(piece.kind == "place" and not piece.words and piece.value == "arms" for piece in pieces)
-    if shape == "plus" and armed and {"center", "rest"} <= {part for _, part in said.placed}:
+    if shape == "plus" and {"center", "rest"} <= {part for _, part in said.placed}:
         pieces = [*pieces, Piece("apart", "", True)]  # "a white center and arms of two red blocks"
     if any(piece.kind == "fill" and piece.value == "hollow" for piece in pieces):
         if shape == "circle" and any(part == "inner" for _, part in said.placed):

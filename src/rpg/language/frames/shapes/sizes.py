@@ -49,7 +49,8 @@ def _sized(pieces: Sequence[Piece], shape: str, total: int | None) -> Sized:
     if any(piece.kind in _SIZES and piece.kind not in _KNOWN[shape] for piece in pieces):
         raise Unclear
     fill = one(pieces, "fill")
-    outlined = any(piece.kind == "figure" and "outline" in piece.words.split() for piece in pieces)
+    rings = {"outline"} if shape == "circle" else {"outline", "ring", "frame"}
+    outlined = any(piece.kind == "figure" and rings & {*piece.words.split()} for piece in pieces)
     filled = fill.value if fill else "hollow" if outlined else ""
     if outlined and filled != "hollow":
         raise Unclear

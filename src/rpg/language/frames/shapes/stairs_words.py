@@ -77,6 +77,8 @@ _WAYS = [
             f"{_toward(side)} (?:upwards?|up)",
             f"(?:which |that )?(?:going|goes|go|leading|leads|heading|running) (?:to|towards?) the {_SIDES[side]}(?! "
             f"(?:of|down))",
+            *{"back": [f"(?:which |that )?(?:leading|leads|running|runs) {_AWAY}"],
+              "front": [f"(?:which |that )?(?:leading|leads|running|runs) towards? {_NEAR}"]}.get(side, []),
             f"(?:the |its )?(?:direction of (?:the )?(?:ascent|rise|climb|climbing)|(?:rise|ascent|climb|climbing|"
             f"upward) direction) (?:BE |: )?{_toward(side)}",
             f"{_THE}{_HIGH}{_END} (?:{_AT})?(?:very |far )?{_SIDES[side]}",

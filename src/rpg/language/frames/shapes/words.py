@@ -19,7 +19,7 @@ FIGURES: list[Pattern] = [
         f"(?:circular|round)(?: ring| circle)?{_KIND}(?<!circular)(?<!round)"),
     *patterns("figure", "triangle", f"(?:equilateral )?triangle{_KIND}",
         "triangular (?:shape|figure|form|formation|arrangement|outline)"),
-    *patterns("figure", "square", f"square(?! PATCH| base| BLOCK){_KIND}"),
+    *patterns("figure", "square", f"square(?! PATCH| base| BLOCK){_KIND}", "square (?:ring|frame)"),
     *patterns("figure", "rectangle", f"(?:rectangle|oblong){_KIND}",
         "rectangular (?:shape|figure|form|formation|arrangement|ring)"),
     *(found for letter in "TLUVX" for found in patterns("figure", letter,
@@ -125,7 +125,8 @@ OWN_GLUE: list[Pattern] = [
         "(?:out of|from|of|with|using|use) (?:all of )?(?:them|these)", "for which",
         "all the way (?:a?round)"),
     *patterns("glue", None, "(?:a?round)(?= in (?:a )?(?:circle|ring))",
-        "shape|draw|makes|shaped|pattern|colors?|colored|in color|kind of"),
+        "shape|draw|write|makes|shaped|pattern|colors?|colored|in color|kind of"),
+    *patterns("glue", None, "(?:in|into) (?:NUM )?rows(?= [:,])"),
     *patterns("glue", None, "(?:as )?(?:seen|viewed|looked at) from above(?: ,)?|in (?:a |the )?top view",
         "looks? like|that looks like|like|resembling|represents|show|result|should|shall|must|"
         "would|makes up|become|becomes|becoming|serves? as|acting as|acts as|take|takes|play|plays"),

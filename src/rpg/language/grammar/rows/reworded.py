@@ -45,10 +45,10 @@ REWORDED_AT_ONCE: tuple[Turn, ...] = (
         f"{opposite})?(?: ,)?(?: in order)?$", f", the {{1}} {{2}} {at}")
       for one, other in ((_HIGHEST, _LOWEST), (_LOWEST, _HIGHEST))
       for at, opposite in (("on top", "at the bottom"), ("at the bottom", "on top"))),
-    (f"^(?:{_PUT} )({_NO_ROWS}+?) in the front row , (.+?) in the middle row(?: ,)? and (.+?) in the back row(?: , each row in "
-     "order from left to right)?$", "front row : {1} ; middle row : {2} ; back row : {3}"),
-    (f"^(?:{_PUT} )({_NO_ROWS}+?) in the front row(?: ,)? and (.+?) in the back row(?: , each row in order from left to "
-     "right)?$", "front row : {1} ; back row : {2}"),
+    (f"^(?:{_PUT} )({_NO_ROWS}+?) in the front row , (.+?) in the middle row(?: ,)? and (.+?) in the back row(?: , "
+     "each row in order from left to right)?$", "front row : {1} ; middle row : {2} ; back row : {3}"),
+    (f"^(?:{_PUT} )({_NO_ROWS}+?) in the front row(?: ,)? and (.+?) in the back row(?: , each row in order from "
+     "left to right)?$", "front row : {1} ; back row : {2}"),
     (f"\\b({MANY}) (layers|rows|columns) (?:,|with) ({MANY}(?: {COLOR} {CUBE}s)?)(?: {CUBE}(?:s|es))? in (?:each|"
      "every)(?: of them| one| layer| row| column)?(?=$| ,)", "{1} {2} of {3}"),
     (f"\\b(cube|cuboid|box) (?:that|which) is ({MANY}(?: blocks| cubes)? (?:wide|long|deep|high) (?:,|and) .+)$",

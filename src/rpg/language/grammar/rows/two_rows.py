@@ -155,9 +155,9 @@ TWO_ROWS_AT_ONCE: tuple[Turn, ...] = (
     (f"^(.*\\b(?:three|3) rows\\b.*? (?:in|at)(?: the)? front(?: row)?{_ALSO} (?:.+?)) behind(?: {_IT})?({_ALSO} .+? "
      "(?:in|at) the (?:very )?(?:back|rear)(?: row)?)$", "{1} in the middle {2}"),
     # a row on a row
-    (f"\\b(an? row of (?:{MANY} )?(?:{COLOR} )?{_MADE})(?: ,)? (?:with|and)(?: {_PUT})? (an?(?: second| another)? row of "
-     f"(?:{MANY} )?(?:{COLOR} )?{_MADE}) (?:(?:stacked|placed|put|lying|standing|sitting) )?(?:directly |right )?on(?: "
-     "top of)? (?:it|them)$", "{1} , and on top of them {2}"),
+    (f"\\b(an? row of (?:{MANY} )?(?:{COLOR} )?{_MADE})(?: ,)? (?:with|and)(?: {_PUT})? (an?(?: second| another)? "
+     f"row of (?:{MANY} )?(?:{COLOR} )?{_MADE}) (?:(?:stacked|placed|put|lying|standing|sitting) )?(?:directly |right "
+     ")?on(?: top of)? (?:it|them)$", "{1} , and on top of them {2}"),
     (f"\\b({MANY}) ranks?\\b", "{1} rows"),
     (f"\\b({_AT}) rank\\b", "{1} row"),
     ("\\b(\\w) thru (\\w)\\b", "{1} to {2}"),

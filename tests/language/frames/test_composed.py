@@ -96,3 +96,47 @@ def test_rows_behind_each_other() -> None:
     text = "Put nine blocks in three rows of three, red in the front row, white in the middle row and blue in the back "
     text += "row."
     assert f"{rows} the three blue blocks." in means(text).replace("\n", " ")
+
+
+@pytest.mark.parametrize(
+    ("text", "plain"),
+    [
+        ("A T with a red bar and a blue stem.", "Build a T. The bar is red. The stem is blue."),
+        (
+            "A plus with a red center and blue arms, each arm being two blocks.",
+            "Build a plus with each arm of 2 blocks from 1 red block and 8 blue blocks. The center is red.",
+        ),
+        (
+            "Arrange blocks in rows: one in the front row, two in the second row and three in the third, as a triangle.",
+            "Build a filled triangle with 3 blocks per side from 6 blocks with its tip to the front.",
+        ),
+        (
+            "The viewer should be able to read a capital L: four cubes vertical and two more for the foot.",
+            "Build an L with a long arm of 4 blocks and a short arm of 3 blocks from 6 blocks with its foot to the right.",
+        ),
+        (
+            "A checkered wall, four wide and two high, in red and white.",
+            "Build a wall 4 blocks wide and 2 blocks high of red and white blocks in a checkerboard pattern.",
+        ),
+        (
+            "A pyramid which has three cubes as the ground row and gets one cube narrower with each row.",
+            "Build a pyramid with a base of 3 blocks from 6 blocks.",
+        ),
+        (
+            "A pyramid: four blocks in a square on the bottom and one block on top, the bottom blue and the top white.",
+            "Build a pyramid with a 2x2 base, layers from bottom to top: blue, white.",
+        ),
+        (
+            "In a 3x3 grid, place X in the middle and O in the other eight places.",
+            "Build a grid of 3 rows and 3 columns in the order O, O, O, O, X, O, O, O, O.",
+        ),
+        ("In a 3x3 grid, place X in the middle and O in the other seven places.", None),
+    ],
+)
+def test_parts_in_other_words(text: str, plain: str | None) -> None:
+    assert told(text) == plain
+
+
+def test_a_square_ring_is_no_circle() -> None:
+    assert "outline of a square" in means("A square ring of sixteen gray blocks on the red mat.")
+    assert code_of("A square ring of nine blocks.")

@@ -63,6 +63,7 @@ FIGURES: tuple[Turn, ...] = (
     ("\\b(?:tetris ([tl]) (?:piece|block|shape)|([tl]) tetromino)(?:$| (?:out of|of|from|with|made of|made from) (?:4 "
      f"|four )?({COLOR} )?{_BLOCKS}$)", "{1} {2} shape of 4 {3} blocks"),
     ("\\b(?:plus|cross) (?:shaped|like) (?:cross|plus|figure)\\b", "plus"),
+    ("\\bsquare (?:ring|loop)\\b", "square frame"),
     ("(?: ,)? in plan(?: view)?(?= ,|$)", ""),
     (f"\\b(checkerboard|chessboard) of ({MANY} {_BLOCKS}) , (?:in )?({COLOR}) and ({COLOR})$", "{1} of {2} in {3} "
      "and {4}"),

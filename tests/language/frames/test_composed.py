@@ -107,12 +107,13 @@ def test_rows_behind_each_other() -> None:
             "Build a plus with each arm of 2 blocks from 1 red block and 8 blue blocks. The center is red.",
         ),
         (
-            "Arrange blocks in rows: one in the front row, two in the second row and three in the third, as a triangle.",
+            "Blocks in rows: one in the front row, two in the second row and three in the third, as a triangle.",
             "Build a filled triangle with 3 blocks per side from 6 blocks with its tip to the front.",
         ),
         (
-            "The viewer should be able to read a capital L: four cubes vertical and two more for the foot.",
-            "Build an L with a long arm of 4 blocks and a short arm of 3 blocks from 6 blocks with its foot to the right.",
+            "The viewer should be able to read a capital L from gray blocks: three cubes vertical and one more for the foot.",
+            "Build an L with a long arm of 3 blocks and a short arm of 2 blocks from 4 gray blocks with its "
+            "foot to the right.",
         ),
         (
             "A checkered wall, four wide and two high, in red and white.",

@@ -111,8 +111,8 @@ def test_rows_behind_each_other() -> None:
             "Build a filled triangle with 3 blocks per side from 6 blocks with its tip to the front.",
         ),
         (
-            "The viewer should be able to read a capital L from gray blocks: three cubes vertical and one more for the foot.",
-            "Build an L with a long arm of 3 blocks and a short arm of 2 blocks from 4 gray blocks with its "
+            "The viewer should be able to read a capital L: three cubes vertical and one more for the foot.",
+            "Build an L with a long arm of 3 blocks and a short arm of 2 blocks from 4 blocks with its "
             "foot to the right.",
         ),
         (

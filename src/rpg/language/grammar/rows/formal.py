@@ -101,6 +101,7 @@ from rpg.language.grammar.rows.verbs_of_place import VERBS_OF_PLACE
 from rpg.language.grammar.rows.vocabulary import MUST
 from rpg.language.grammar.rows.way_behind import PATTERNS_LINED, WAY_BEHIND
 from rpg.language.grammar.rows.wished_aloud import WISHED_ALOUD
+from rpg.language.grammar.rows.wished_such import WISHED_SUCH, WISHED_SUCH_AT_ONCE
 from rpg.language.grammar.rows.word_again import word_again
 from rpg.language.grammar.rows.wordier import WORDIER, WORDIER_AT_ONCE
 from rpg.language.grammar.rows.written import WRITTEN, WRITTEN_AT_ONCE
@@ -175,6 +176,7 @@ _OF_ALL = (
     *TOLD_ONCE,
     *ROWS_PLACED,
     *ON_SEVERAL_AT_ONCE,
+    *WISHED_SUCH_AT_ONCE,
 )
 """The rows of every sentence."""
 _OF_THE_UNREAD = (
@@ -216,6 +218,7 @@ _OF_THE_UNREAD = (
     *ASKED_ALOUD,
     *PATTERNS_LINED,
     *WISHED_ALOUD,
+    *WISHED_SUCH,
     *SPAWNED,
     *RAINBOW_SPANS,
     *TASK_TOLD,

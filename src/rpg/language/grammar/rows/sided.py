@@ -35,9 +35,17 @@ _MOST = (f"(?:leftmost|rightmost|frontmost|(?:nearest|closest)(?: to {ME})?|{_FA
 _ONES = "(?: one| block| cube)?"
 _MUST_BE = f"(?:is|{MUST} be)"
 
+_WHICH_IS = "(?:(?:that|which) (?:is|lies|points|faces) )?"
+_OFF_ME = f"(?:(?:away|{_FAR}|farther|further)(?: away)?|opposite) from {ME}(?! than)"
+_AT_ME = (f"(?:(?:nearest|closest|nearer|closer|near|close)(?: to)? {ME}|(?:facing|towards?|next to) {ME})(?! than)")
 _MINE = "(?:on|to) my {side}(?: side| hand| hand side)?"
 
 SIDED_AT_ONCE: tuple[Turn, ...] = (
+    # the far side and the near one, told by who looks on
+    *((f"\\b(?:on|at|to) the side of ({_T}) {_WHICH_IS}{seen}", f"on the {side} side of {{1}}")
+      for side, seen in (("far", _OFF_ME), ("near", _AT_ME))),
+    *((f"(?: ,)?(?: but)? (?:on|at|to) (?:the|its) side {_WHICH_IS}{seen}", f"on the {side} side")
+      for side, seen in (("far", _OFF_ME), ("near", _AT_ME))),
     # each on one side of who looks on, where it is no side of one another
     *((f"^(?!.*\\b(?:row|line|next|between|beside|side by side)\\b)(.+?) {_MINE.format(side=one)}(?: ,)?(?: and| "
        f"while) (.+?) {_MINE.format(side=other)}$", f"{{1}} in the {one} half , and {{2}} in the {other} half")

@@ -34,6 +34,7 @@ from rpg.language.grammar.rows.figures_asked import FIGURES_ASKED_AT_ONCE
 from rpg.language.grammar.rows.from_to import FROM_TO
 from rpg.language.grammar.rows.gapped import GAPPED, GAPPED_AT_ONCE
 from rpg.language.grammar.rows.ignored_there import IGNORED_THERE
+from rpg.language.grammar.rows.how_far import HOW_FAR, HOW_FAR_AT_ONCE
 from rpg.language.grammar.rows.in_conversation import IN_CONVERSATION, TOLD_OF_BOTH
 from rpg.language.grammar.rows.in_steps import IN_STEPS
 from rpg.language.grammar.rows.in_writing import IN_WRITING
@@ -177,6 +178,7 @@ _OF_ALL = (
     *ROWS_PLACED,
     *ON_SEVERAL_AT_ONCE,
     *WISHED_SUCH_AT_ONCE,
+    *HOW_FAR_AT_ONCE,
 )
 """The rows of every sentence."""
 _OF_THE_UNREAD = (
@@ -219,6 +221,7 @@ _OF_THE_UNREAD = (
     *PATTERNS_LINED,
     *WISHED_ALOUD,
     *WISHED_SUCH,
+    *HOW_FAR,
     *SPAWNED,
     *RAINBOW_SPANS,
     *TASK_TOLD,

@@ -95,6 +95,9 @@ SIDED_AT_ONCE: tuple[Turn, ...] = (
 )  # fmt: skip
 """What is looked for, and what is said instead."""
 UTMOST_TOLD: tuple[Turn, ...] = (
+    # "next to it, but on the left"
+    ("\\b((?:next to|beside|adjacent to|touching|near|close to) .+?)(?: ,)? but (on the (?:left|right|far|near)(?: "
+     "side)?)$", "{1} , {2}"),
     *((f"\\b(?:the )?{_FAR}{_ONES} (?:(?:out )?(?:to|towards|on|at) the )?{side}(?= ,| and| of| among|$)",
        f"{side}most")
       for side in ("left", "right")),

@@ -17,17 +17,17 @@ _OF_IT_ALONE = "(?!.*\\b(?:that|which)\\b)(?!(?:(?!\\bbetween\\b).)*\\band (?:an
 """What is told then of others may be told of what it lies beside."""
 
 WISHED_SUCH_AT_ONCE: tuple[Turn, ...] = (
-    (f"^{_NOW}{_WISHED} ({_ONE}) {_LIES}((?:(?!\\bbetween\\b)[^,])+?)(?: ,)? and ({_ONE}) {_LIES}((?:(?!\\b{_THAT}\\b).)+)$",
-     "{1} must be {2} and {3} must be {4}"),
+    (f"^{_NOW}{_WISHED} ({_ONE}) {_LIES}((?:(?!\\bbetween\\b)[^,])+?)(?: ,)? and ({_ONE}) {_LIES}"
+     f"((?:(?!\\b{_THAT}\\b).)+)$", "{1} must be {2} and {3} must be {4}"),
     (f"^{_NOW}{_WISHED} ({_ONE}) {_LIES}{_OF_IT_ALONE}", "{1} must be "),
     (f"^{_NOW}{_WISHED} ({_ONE}) {_THAT} (?:touch|touches) {_OF_IT_ALONE}", "{1} must touch "),
     (f"^{_NOW}{_WISHED} ({_ONE}) {_THAT} (?:does|do|{MUST}) not touch {_OF_IT_ALONE}", "{1} must not touch "),
-)
+)  # fmt: skip
 """What would be told of a block by the way, and of which it is not said where it is."""
 WISHED_SUCH: tuple[Turn, ...] = (
     (f"\\b({_ONE}) {_THAT} (?:touch|touches|{MUST} touch|is in contact with) ", "{1} touching "),
     (f"\\b({_ONE} (?:(?:on|to) its (?:left|right)|(?:in front of|behind|next to|beside) it)) {_THAT} touches it\\b",
      "{1} touching it"),
     (f"^({_ONE}) {_LIES}{_OF_IT_ALONE}", "{1} must be "),
-)
+)  # fmt: skip
 """What makes no sense as it stands."""

@@ -26,8 +26,8 @@ _D = (
         ("Put D to the left of the red block and E to the right of the red block, each touching it.", _D),
         ("Build a tower of A on B on C, and put D to the left of it and E to the right of it, each touching it.",
          "The blocks A, B and C must be stacked from top to bottom in the order A, B, C. The D block must be to the "
-         "left of the C block. The D block must touch the C block. The E block must be to the right of the C block. The E "
-         "block must touch the C block."),
+         "left of the C block. The D block must touch the C block. The E block must be to the right of the C block. The "
+         "E block must touch the C block."),
         # sides
         ("Put the red block beside the blue one, but on the side away from me.",
          "The red block must be behind the blue block. The red block must be next to the blue block."),
@@ -68,6 +68,18 @@ _D = (
         ("The blocks must not be in a row: red, blue, green.",
          "At the start, the red, blue and green blocks are in a row. The red, blue and green blocks must not be in a "
          "row."),
+        ("Put the red block 10 cm left of the blue block and the green one 12 cm behind the blue one, both distances "
+         "being measured between the centres.",
+         "The red block must be to the left of the blue block. The red block must be 10 cm from the blue block. The "
+         "green block must be behind the blue block. The green block must be 12 cm from the blue block."),
+        ("Put block C behind both A and B, which are next to each other.",
+         "The C block must be behind the blocks A and B. The A block must be next to the B block."),
+        ("There must be exactly 6 cm between the left side of the red block and the right side of the blue block.",
+         "The red block must be to the right of the blue block. There must be a gap of 6 cm between the red block and "
+         "the blue block."),
+        ("The brown block must neither touch the red block nor be behind it.",
+         "At the start, the brown block touches the red block. The brown block must not touch the red block. The brown "
+         "block must not be behind the red block."),
         # what there should be
         ("There should be a red block that is left of the blue block and touches it.",
          "The red block must be to the left of the blue block. The red block must touch the blue block."),

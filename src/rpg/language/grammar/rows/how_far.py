@@ -1,25 +1,28 @@
-"""How far things are apart and on which side of one, told by what is as wide, by the other side, or behind "which", as
-rows that say it plainly: "equally far from red and from blue", "one on one side of it and one on the other"."""
+"""How far things are apart, told by what is as wide, by another distance, or behind "which", as rows that say it plainly:
+"equally far from red and from blue", "a block's width between them", "the two, which are 20 cm apart"."""
 
 from __future__ import annotations
 
-from rpg.language.grammar.rows.said_short import ASIDE, IS, PLACE, PUT, THING, THINGS
+from rpg.language.grammar.rows.said_short import ASIDE, IS, THING
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, FEW, LENGTH, MUST, N
+from rpg.language.grammar.rows.vocabulary import FEW, LENGTH, MUST
 
 _BLOCK = "(?:block|cube|brick)"
 _LIMIT = "(?:(?:at least|at most|more than|less than|no more than|no less than|exactly) )"
 _FAR = f"(?:{_LIMIT}|(?:about|around|roughly) )?{LENGTH}"
 _GAP = "(?:gap|space|room|distance)"
 _THE_TWO = f"the two(?: of them| {_BLOCK}s| ones)?"
+_EACH = "(?:each other|one another)"
 _SAME = "(?:the same|an equal|equal) distance"
 _FROM = "(?:from|to)"
 _EVEN = f"(?:(?:{MUST} )?have|has|{MUST} be at|is at|{MUST} be|is|{MUST} (?:lie|stand) at)"
+_EQUALS = "(?:equals?|(?:be|is) equal to|(?:be|is) the same as|be as (?:large|big|long) as)"
 _ARE = f"(?:are|{MUST} be|stand|lie|{MUST} (?:stand|lie))"
-_SIDE = f"(?:{IS} )?on (?:the )?one side of"
-_OTHER = "on (?:the|its) (?:other|opposite)(?: one| side)?"
-_ENDS = "(?:at|on|to) (?:the|both|the two|opposite|either|its|the opposite|both of the) ends"
-_ROW = "(an? (?:row|line|column) of [^,]+)"
+_APART = (
+    f"(?:{_FAR} (?:apart|away from {_EACH})|(?:next to|near|close to|far from) {_EACH}|side by side|"
+    f"touching(?: {_EACH})?|(?:close|near) together|far apart)"
+)
+_BESIDE_TWO = f"(.*\\b(?:between|{ASIDE})(?: both)? ({THING}) and ({THING}))"
 
 HOW_FAR_AT_ONCE: tuple[Turn, ...] = (
     # "with no gap between the two"
@@ -28,27 +31,15 @@ HOW_FAR_AT_ONCE: tuple[Turn, ...] = (
     ("\\b(?:at|in|on) the (?:midpoint|halfway point) (?:of|between) ", "halfway between "),
     ("\\bbut not (?:so|too) (?:close|near)(?: together)? that (?:they|the two|it) touch(?:es)?(?: it| each other| one "
      "another)?$", "but not touching it"),
-    # on the other side of it
-    (f"^(?:{PUT} )?({THING})(?: {IS})? (next to|beside) ({THING})(?: ,)? and ({THING}) (?:{IS} )?{_OTHER}(?: of "
-     "(?:it|\\3))?$", "{1} must be {2} {3} . {3} must be between {1} and {4}"),
-    (f"^(?:{PUT} )?({THING}) {_SIDE} ({THING})(?: ,)? and ({THING}) (?:{IS} )?{_OTHER}(?: of (?:it|\\2))?$",
-     "{2} must be between {1} and {3}"),
-    # names behind what is denied of them
-    (f"^(?:the |these )?(?:{FEW} )?(?:blocks|cubes) ((?:{MUST}|may|can|do) not) ((?:be|stand|lie|form)(?: in)? an? "
-     f"(?:\\w+ )?(?:row|line|column)) : ({THINGS})$", "{3} {1} {2}"),
-    # in one line with two others, and on which side of them
-    (f"^((?:{PUT} )?)({THING})(?: {IS})? in (?:a |one )?(?:straight )?line with ({THING}) and ({THING})(?: ,)?(?: and)?"
-     f" ({ASIDE}) (?:both|both of them|them|the two)$",
-     "{1} {2} in line with {3} and {4} . {2} must be {5} {3} and {4}"),
-    # so many more of those that were told of
-    (f"^((?:{PUT} )?(?:one|an?) ({COLOR}) ({_BLOCK}) (?:(?!\\b(?:an?|one) )[^,])+?(?: ,)? and) (?:another "
-     f"({FEW})|({FEW}) (?:more|others?))(?! of) (?=(?:to|on) (?:its|the) |{PLACE}\\b)", "{1} {4} {5} more {2} {3}s "),
-    # "on the left of it and on its right"
-    (f"^(?:{PUT} )?({THING})(?: {IS})? (?:on|to) ({THING}) 's (left|right)(?: side)?(?: ,)? and ({THING})(?: {IS})? "
-     "(?:on|to) its (?!\\3)(left|right)(?: side)?$", "{1} must be to the {3} of {2} and {4} must be to the {5} of {2}"),
-    # two that "which" tells of behind what is between them
-    (f"^(.*\\bbetween ({THING}) and ({THING})) , which (?:both )?{_ARE} ({_FAR}) (?:apart|away from each other)$",
-     "{1} . {2} and {3} must be {4} apart"),
+    # two that "which" tells of behind what is told beside them
+    (f"^{_BESIDE_TWO} , which (?:both )?{_ARE} ({_APART})$", "{1} . {2} and {3} must be {4}"),
+    (f"^{_BESIDE_TWO} , which (?:both |must )?(touch {_EACH})$", "{1} . {2} and {3} must {4}"),
+    # from one side to another
+    *((f"^there (?:is|{MUST} be) ({_FAR})(?: of (?:space|room))? between the {one} (?:side|face|edge) of ({THING}) and "
+       f"the {other} (?:side|face|edge) of ({THING})$",
+       f"{{2}} must be to the {other} of {{3}} with a gap of {{1}} between them")
+      for one, other in (("left", "right"), ("right", "left"))),
+    (f"^(?:the )?distance between (?:their|the|the two) centers ({MUST} be|is) ({_FAR})$", "they must be {2} apart"),
 )  # fmt: skip
 """What is read otherwise as it stands."""
 HOW_FAR: tuple[Turn, ...] = (
@@ -62,15 +53,13 @@ HOW_FAR: tuple[Turn, ...] = (
     (f"^between ({THING} and {THING}) there ({MUST}) be (a gap of [^,]+)$", "there {2} be {3} between {1}"),
     (f"\\b(?:a )?{_GAP} as (?:wide|large|big|long) as (?:a|one) {_BLOCK}(?: {IS})?(?= between|$)",
      "a gap of one block width"),
+    (f"\\ba (?:small|little|narrow|tiny|slight) (gap|space) ,? ?(?:of )?(?:(?:say|about|roughly|maybe) ,? ?)?({LENGTH})"
+     "(?: ,)? (?=between )", "a {1} of about {2} "),
     # as far from one as from the other
     (f"^({THING}) {_EVEN} {_SAME} {_FROM} ({THING}) (?:and|as)(?: {_FROM})? ({THING})$",
      "{1} must be as far from {2} as from {3}"),
-    (f"^(?:the )?distance (?:from|between) ({THING}) (?:to|and) ({THING}) (?:{MUST} )?(?:equals?|(?:be|is) equal to|"
-     f"(?:be|is) the same as|be as (?:large|big|long) as) (?:the distance|that) (?:from|between) \\1 (?:to|and) "
-     f"({THING})$", "{1} must be as far from {2} as from {3}"),
-    # on one side of it and on the other
-    (f"^(?:{PUT} )?(?:the )?two ({COLOR}){N} (?:{_ARE} |go |{IS} )?{_ENDS} of {_ROW}$",
-     "{2} with a {1} block at each end"),
+    (f"^(?:the )?distance (?:from|between) ({THING}) (?:to|and) ({THING}) (?:{MUST} )?{_EQUALS} (?:the distance|that) "
+     f"(?:from|between) \\1 (?:to|and) ({THING})$", "{1} must be as far from {2} as from {3}"),
 )  # fmt: skip
 """What makes no sense as it stands."""
 WORDS = ("midpoint",)

@@ -26,8 +26,8 @@ _D = (
         ("Put D to the left of the red block and E to the right of the red block, each touching it.", _D),
         ("Build a tower of A on B on C, and put D to the left of it and E to the right of it, each touching it.",
          "The blocks A, B and C must be stacked from top to bottom in the order A, B, C. The D block must be to the "
-         "left of the C block. The D block must touch the C block. The E block must be to the right of the C block. The "
-         "E block must touch the C block."),
+         "left of the C block. The D block must touch the C block. The E block must be to the right of the C block. "
+         "The E block must touch the C block."),
         # sides
         ("Put the red block beside the blue one, but on the side away from me.",
          "The red block must be behind the blue block. The red block must be next to the blue block."),

@@ -1,5 +1,5 @@
-"""On which side of a thing others are, told by its other side, with what is left out, or of neither, as rows that say it
-plainly: "one on one side of it and one on the other", "a blue one on its left and two more on its right"."""
+"""On which side of a thing others are, told by its other side, with what is left out, or of neither, as rows that say
+it plainly: "one on one side of it and one on the other", "a blue one on its left and two more on its right"."""
 
 from __future__ import annotations
 
@@ -30,8 +30,8 @@ BESIDE_IT_AT_ONCE: tuple[Turn, ...] = (
      f" ({ASIDE}) (?:both|both of them|them|the two)$",
      "{1} {2} in line with {3} and {4} . {2} must be {5} {3} and {4}"),
     # so many more of those that were told of
-    (f"^((?:{PUT} )?(?:one|an?) ({COLOR}) ({_BLOCK}) (?:(?!\\b(?:an?|one) )[^,])+?(?: ,)? and) (?:another ({FEW})|({FEW}) "
-     f"(?:more|others?))(?! of) (?=(?:to|on) (?:its|the) |{PLACE}\\b)", "{1} {4} {5} more {2} {3}s "),
+    (f"^((?:{PUT} )?(?:one|an?) ({COLOR}) ({_BLOCK}) (?:(?!\\b(?:an?|one) )[^,])+?(?: ,)? and) (?:another ({FEW})|"
+     f"({FEW}) (?:more|others?))(?! of) (?=(?:to|on) (?:its|the) |{PLACE}\\b)", "{1} {4} {5} more {2} {3}s "),
     # "on the left of it and on its right"
     (f"^(?:{PUT} )?({THING})(?: {IS})? (?:on|to) ({THING}) 's (left|right)(?: side)?(?: ,)? and ({THING})(?: {IS})? "
      "(?:on|to) its (?!\\3)(left|right)(?: side)?$", "{1} must be to the {3} of {2} and {4} must be to the {5} of {2}"),

@@ -49,8 +49,8 @@ from rpg.language.grammar.rows.listed_lines import listed_lines
 from rpg.language.grammar.rows.listed_of_all import listed_of_all
 from rpg.language.grammar.rows.lots_told import LOTS, LOTS_AT_ONCE
 from rpg.language.grammar.rows.lying_there import LYING_THERE_AT_ONCE
-from rpg.language.grammar.rows.moved_off import MOVED_OFF_AT_ONCE, OFF_ONTO
 from rpg.language.grammar.rows.measured_so import MEASURED_SO
+from rpg.language.grammar.rows.moved_off import MOVED_OFF_AT_ONCE, OFF_ONTO
 from rpg.language.grammar.rows.not_at_end import NOT_THERE, NOT_THERE_AT_ONCE, not_at_end
 from rpg.language.grammar.rows.not_consecutive import not_consecutive
 from rpg.language.grammar.rows.noted_down import NOTED_DOWN

@@ -1,5 +1,5 @@
-"""How far things are apart, told by what is as wide, by another distance, or behind "which", as rows that say it plainly:
-"equally far from red and from blue", "a block's width between them", "the two, which are 20 cm apart"."""
+"""How far things are apart, told by what is as wide, by another distance, or behind "which", as rows that say it
+plainly: "equally far from red and from blue", "a block's width between them", "the two, which are 20 cm apart"."""
 
 from __future__ import annotations
 

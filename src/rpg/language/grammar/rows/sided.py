@@ -50,7 +50,7 @@ SIDED_AT_ONCE: tuple[Turn, ...] = (
     # which side of it is touched
     *((f"\\b{touch} (the (?:left|right|front|back|near|far) (?:side|face) of (?=\\w))", f"{said} {{{n}}}")
       for touch, said, n in _TOUCH),
-    *((f"\\b{touch} ({_TT}) (?:on|from|at) (?:its|the) (left|right|front|back|near|far)(?: side)?$",
+    *((f"\\b{touch} ({_TT}) (?:on|from|at) the (left|right|front|back|near|far)(?: side)?$",
        f"{said} the {{{n + 1}}} side of {{{n}}}") for touch, said, n in _TOUCH),
     (f"\\b(?:up )?against ({_TT}) from (?:behind|the back)$", "touching the back side of {1}"),
     # the far side and the near one, told by who looks on

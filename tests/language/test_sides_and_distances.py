@@ -97,7 +97,7 @@ def test_what_is_read(text: str, said: str) -> None:
         ("Put D on the red block and E to the right of it, both touching it.", "ambiguous"),
         ("Put a green block behind the red one, and a blue block behind that one.", "ambiguous"),
         ("Put A next to B and C on the other side of D.", "ambiguous"),
-        ("put the red block on one side of the blue block and the green block on the other", "ambiguous"),
+        ("put the red block on one side of the blue block and the green block on the other", "misplaced-word"),
         ("The orange block touches the brown block on its left side.", "incomplete"),
         ("Put a red block next to a blue block and two more behind it.", "ambiguous"),
         ("Put the two red blocks left of the two blue ones, with no gap between the two.", "ambiguous"),

@@ -34,8 +34,8 @@ from rpg.language.grammar.rows.figures import BOARDS, FIGURES
 from rpg.language.grammar.rows.figures_asked import FIGURES_ASKED_AT_ONCE
 from rpg.language.grammar.rows.from_to import FROM_TO
 from rpg.language.grammar.rows.gapped import GAPPED, GAPPED_AT_ONCE
-from rpg.language.grammar.rows.ignored_there import IGNORED_THERE
 from rpg.language.grammar.rows.how_far import HOW_FAR, HOW_FAR_AT_ONCE
+from rpg.language.grammar.rows.ignored_there import IGNORED_THERE
 from rpg.language.grammar.rows.in_conversation import IN_CONVERSATION, TOLD_OF_BOTH
 from rpg.language.grammar.rows.in_steps import IN_STEPS
 from rpg.language.grammar.rows.in_writing import IN_WRITING

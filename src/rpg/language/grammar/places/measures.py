@@ -48,9 +48,12 @@ def _last_figure(p: Parser, i: int, j: int) -> float | None:
 
 @rule
 def room(p: Parser, i: int) -> Results[tuple[float | None, float | None]]:
-    """A gap as a range, told by the blocks that it has room for: "one block", "two cubes"."""
+    """A gap as a range, told by the blocks that it has room for: "one block", "at least two cubes"."""
     for wide, j in block_widths(p, i):
         yield (round(wide - 0.01, 6), round(wide + 0.01, 6)), j
+    for phrase, bound in p.standing(i, LIMITS):
+        for wide, j in block_widths(p, bound):
+            yield ((wide, None) if LIMITS[phrase] == "low" else (None, wide)), j
 
 
 @rule

@@ -110,8 +110,7 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     ("^any one of (.+?) ((?:on|in|behind|next to|left of|right of) .+?) (?:will do|is fine|is ok|is okay|is enough)$",
      "put one of {1} {2}"),
     (f"^(?:i|we) (?:need|want|would like)(?: to (?:see|have))? ((?:an?|{MANY}) [^,]+?) (?:that|which) (?!.*\\b(?:start|"
-     f"now|first|initially|beginning)\\b)(?:(?:are|is) )?({PLACE} [^,]+|touch each other|touching each other)$",
-     "{1} must be {2}"),
+     "now|first|initially|beginning)\\b)(?:(?:are|is) )?(touch each other|touching each other)$", "{1} must be {2}"),
     (f"^((?:an?|{MANY}) [^,]+?) (?:that|which) (touch each other)$", "{1} must {2}"),
     # either of two is there
     (f"^either (.+?) ((?:is|are|goes|go|{MUST} (?:be|go)) (?:on|onto|in) the {PATCH})(?: ,)? or ((?:both|the|all)(?: "

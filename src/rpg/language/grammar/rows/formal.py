@@ -15,6 +15,7 @@ from rpg.language.grammar.rows.barred_there import BARRED_THERE, BARRED_THERE_AT
 from rpg.language.grammar.rows.become import BECOME, BECOME_AT_ONCE
 from rpg.language.grammar.rows.before_and_after import BEFORE_AND_AFTER, WITH_ITS_TOP
 from rpg.language.grammar.rows.begun import BEGUN, BEGUN_AT_ONCE
+from rpg.language.grammar.rows.beside_it import BESIDE_IT, BESIDE_IT_AT_ONCE
 from rpg.language.grammar.rows.besides import BESIDES, BESIDES_AT_ONCE
 from rpg.language.grammar.rows.borne_first import BORNE_FIRST
 from rpg.language.grammar.rows.but_one import BUT_ONE, BUT_ONE_AT_ONCE
@@ -33,6 +34,7 @@ from rpg.language.grammar.rows.figures import BOARDS, FIGURES
 from rpg.language.grammar.rows.figures_asked import FIGURES_ASKED_AT_ONCE
 from rpg.language.grammar.rows.from_to import FROM_TO
 from rpg.language.grammar.rows.gapped import GAPPED, GAPPED_AT_ONCE
+from rpg.language.grammar.rows.how_far import HOW_FAR, HOW_FAR_AT_ONCE
 from rpg.language.grammar.rows.ignored_there import IGNORED_THERE
 from rpg.language.grammar.rows.in_conversation import IN_CONVERSATION, TOLD_OF_BOTH
 from rpg.language.grammar.rows.in_steps import IN_STEPS
@@ -47,6 +49,7 @@ from rpg.language.grammar.rows.listed_lines import listed_lines
 from rpg.language.grammar.rows.listed_of_all import listed_of_all
 from rpg.language.grammar.rows.lots_told import LOTS, LOTS_AT_ONCE
 from rpg.language.grammar.rows.lying_there import LYING_THERE_AT_ONCE
+from rpg.language.grammar.rows.measured_so import MEASURED_SO
 from rpg.language.grammar.rows.moved_off import MOVED_OFF_AT_ONCE, OFF_ONTO
 from rpg.language.grammar.rows.not_at_end import NOT_THERE, NOT_THERE_AT_ONCE, not_at_end
 from rpg.language.grammar.rows.not_consecutive import not_consecutive
@@ -101,6 +104,7 @@ from rpg.language.grammar.rows.verbs_of_place import VERBS_OF_PLACE
 from rpg.language.grammar.rows.vocabulary import MUST
 from rpg.language.grammar.rows.way_behind import PATTERNS_LINED, WAY_BEHIND
 from rpg.language.grammar.rows.wished_aloud import WISHED_ALOUD
+from rpg.language.grammar.rows.wished_such import WISHED_SUCH, WISHED_SUCH_AT_ONCE
 from rpg.language.grammar.rows.word_again import word_again
 from rpg.language.grammar.rows.wordier import WORDIER, WORDIER_AT_ONCE
 from rpg.language.grammar.rows.written import WRITTEN, WRITTEN_AT_ONCE
@@ -175,6 +179,9 @@ _OF_ALL = (
     *TOLD_ONCE,
     *ROWS_PLACED,
     *ON_SEVERAL_AT_ONCE,
+    *WISHED_SUCH_AT_ONCE,
+    *HOW_FAR_AT_ONCE,
+    *BESIDE_IT_AT_ONCE,
 )
 """The rows of every sentence."""
 _OF_THE_UNREAD = (
@@ -216,6 +223,9 @@ _OF_THE_UNREAD = (
     *ASKED_ALOUD,
     *PATTERNS_LINED,
     *WISHED_ALOUD,
+    *WISHED_SUCH,
+    *HOW_FAR,
+    *BESIDE_IT,
     *SPAWNED,
     *RAINBOW_SPANS,
     *TASK_TOLD,
@@ -224,7 +234,7 @@ _OF_THE_UNREAD = (
     *BARRED_THERE,
 )
 """The rows of a sentence that cannot be read as it stands."""
-_LAST_ACROSS = (*WAY_BEHIND, *CORNERS_ACROSS, *ACROSS)
+_LAST_ACROSS = (*WAY_BEHIND, *CORNERS_ACROSS, *MEASURED_SO, *ACROSS)
 AT_ONCE, UNREAD, OVER_ALL = (
     Turns(_OF_ALL),
     Turns(_OF_THE_UNREAD),

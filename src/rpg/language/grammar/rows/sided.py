@@ -35,9 +35,29 @@ _MOST = (f"(?:leftmost|rightmost|frontmost|(?:nearest|closest)(?: to {ME})?|{_FA
 _ONES = "(?: one| block| cube)?"
 _MUST_BE = f"(?:is|{MUST} be)"
 
+_WHICH_IS = "(?:(?:that|which) (?:is|lies|points|faces) )?"
+_OFF_ME = f"(?:(?:away|{_FAR}|farther|further)(?: away)?|opposite) from {ME}(?! than)"
+_AT_ME = f"(?:(?:nearest|closest|nearer|closer|near|close)(?: to)? {ME}|(?:facing|towards?|next to) {ME})(?! than)"
+_TT = f"(?:(?:the|an?) (?:tower|stack) of {MANY} \\w+ {_BLOCKS}|{_T})"
+_TOUCH = (
+    (f"({MUST}) touch", "{1} be touching", 2), ("touches", "is touching", 1),
+    ("(?:touching|(?:up )?against)", "touching", 1),
+)  # fmt: skip
+"""How it is told that something is touched, what is said instead, and the group that stands behind it."""
 _MINE = "(?:on|to) my {side}(?: side| hand| hand side)?"
 
 SIDED_AT_ONCE: tuple[Turn, ...] = (
+    # which side of it is touched
+    *((f"\\b{touch} (the (?:left|right|front|back|near|far) (?:side|face) of (?=\\w))", f"{said} {{{n}}}")
+      for touch, said, n in _TOUCH),
+    *((f"\\b{touch} ({_TT}) (?:on|from|at) the (left|right|front|back|near|far)(?: side)?$",
+       f"{said} the {{{n + 1}}} side of {{{n}}}") for touch, said, n in _TOUCH),
+    (f"\\b(?:up )?against ({_TT}) from (?:behind|the back)$", "touching the back side of {1}"),
+    # the far side and the near one, told by who looks on
+    *((f"\\b(?:on|at|to) the side of ({_TT}) {_WHICH_IS}{seen}", f"on the {side} side of {{1}}")
+      for side, seen in (("far", _OFF_ME), ("near", _AT_ME))),
+    *((f"(?: ,)?(?: but)? (?:on|at|to) (?:the|its) side {_WHICH_IS}{seen}", f"on the {side} side")
+      for side, seen in (("far", _OFF_ME), ("near", _AT_ME))),
     # each on one side of who looks on, where it is no side of one another
     *((f"^(?!.*\\b(?:row|line|next|between|beside|side by side)\\b)(.+?) {_MINE.format(side=one)}(?: ,)?(?: and| "
        f"while) (.+?) {_MINE.format(side=other)}$", f"{{1}} in the {one} half , and {{2}} in the {other} half")
@@ -87,6 +107,9 @@ SIDED_AT_ONCE: tuple[Turn, ...] = (
 )  # fmt: skip
 """What is looked for, and what is said instead."""
 UTMOST_TOLD: tuple[Turn, ...] = (
+    # "next to it, but on the left"
+    ("\\b((?:next to|beside|adjacent to|touching|near|close to) .+?)(?: ,)? but (on the (?:left|right|far|near)(?: "
+     "side)?)$", "{1} , {2}"),
     *((f"\\b(?:the )?{_FAR}{_ONES} (?:(?:out )?(?:to|towards|on|at) the )?{side}(?= ,| and| of| among|$)",
        f"{side}most")
       for side in ("left", "right")),

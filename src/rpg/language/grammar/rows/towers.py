@@ -62,6 +62,7 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
     # which one is meant
     ("\\b((?:on top of|on|onto|upon|atop|over|above|beside|next to|behind|in front of|left of|right of) the "
      "(?:taller|shorter|tallest|shortest)) one(?: of (?:them|these|the two))?\\b(?! of)", "{1} tower"),
+    (f"\\b((?:{_BESIDE}|on|touching|near|underneath) )the one (?:at|on) the (bottom|top)$", "{1} the {2} one"),
     # until it is so high
     (f"^keep (?:piling|stacking|putting) ({COLOR} )?{_BLOCKS} (?:onto|on top of|on) (?:each other|one another) until "
      f"(?:the {TOWER}|it) is ({MANY})(?: {_BLOCKS})? (?:high|tall)$", "stack {2} {1} blocks"),
@@ -276,6 +277,8 @@ TOWERS: tuple[Turn, ...] = (
     (f"^(.*\\b(?:{TOWER})\\b.*?) (is|goes) (?:down|below)(?= ,| and|$)", "{1} is at the bottom"),
     (f"^(.*\\b(?:{TOWER})\\b.*?) (is|goes) (?:middle|between)(?= ,| and|$)", "{1} is in the middle"),
     (f"^(.*\\b(?:{TOWER})\\b.*?) (is|goes) (?:up|above)(?= ,| and|$)", "{1} is on top"),
+    *((f"\\bthe {told} (one|block|cube)(?: of (?:them|these|the two))?\\b(?! of)", f"the {end} {{1}}")
+      for told, end in (("lower", "bottom"), ("upper", "top"))),
     (f"^(?:swap|exchange|switch) them(?: ,)? so(?: that)? (?:the )?({COLOR})(?: one| block)? (?:ends up|is|comes|goes|"
      "will be|lands) on top of (?:the )?(\\w+)$", "{1} must be on {2}"),
 )  # fmt: skip

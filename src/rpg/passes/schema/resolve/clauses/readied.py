@@ -21,6 +21,7 @@ from rpg.passes.schema.resolve.places.patch_in_common import patch_in_common
 from rpg.passes.schema.resolve.places.shared_gaps import shared_gaps
 from rpg.passes.schema.resolve.places.shared_sides import shared_sides
 from rpg.passes.schema.resolve.structures.checkered_grid import checkered_grid
+from rpg.passes.schema.resolve.structures.each_beside import each_beside
 from rpg.passes.schema.resolve.structures.each_lot import each_lot
 from rpg.passes.schema.resolve.structures.either_shape import either_shape
 from rpg.passes.schema.resolve.structures.groups_listed import groups_listed
@@ -44,7 +45,7 @@ def readied(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
     ):  # fmt: skip
         chains = together(chains)
     chains = tuple(borne_there(faced_too(told_of_each(chain, text), text), text) for chain in chains)
-    for each in (named_extras, each_lot, checkered_grid, one_in_each, either_shape):
+    for each in (named_extras, each_beside, each_lot, checkered_grid, one_in_each, either_shape):
         chains = tuple(map(each, chains))
     told = (shared_gaps(shared_sides(recounted(chain), text), text) for chain in chains)
     plain = (into_an_order(patch_in_common(taken_off(chain), text), text) for chain in told)

@@ -203,13 +203,11 @@ def _of_what(item: Loose, goal: g.Goal, scene: Scene) -> None:
     for b in scene.built:
         if b.kind not in (*SIDES, "pile", "towers", "word", "equation") and set(ref.names) < set(b.members):
             raise refuse("ambiguous", f"this could be a side of the table or of the {b.kind}", at_.span, "say of what")
-    figure = any(
-        b.kind not in SIDES and len(b.members) > 2 and not set(ref.names) & set(b.members) for b in scene.built
-    )
+    others = [b for b in scene.built if not set(ref.names) & set(b.members)]
+    figure = any(b.kind not in SIDES and len(b.members) > 2 for b in others)
     if at_.side == "middle" and figure:
-        raise refuse(
-            "ambiguous", "this could be the middle of the table or of the figure", at_.span, "say 'of the table'"
-        )
+        raise refuse("ambiguous", "this could be the middle of the table or of the figure", at_.span,
+                     "say 'of the table'")  # fmt: skip
     of_a_line(ref, at_, scene)
     of_a_word(ref, at_, scene)
     line = next((b for b in scene.built if b.kind in SIDES and not {*b.members} <= {*ref.names}), None)
@@ -217,10 +215,8 @@ def _of_what(item: Loose, goal: g.Goal, scene: Scene) -> None:
         raise refuse("ambiguous", f"this could be a side of the table or of the {line.kind}", at_.span,
                      "say 'half of the table', or of what")  # fmt: skip
     if line is not None and line.kind != "stack" and at_.side in SIDES[line.kind]:
-        raise refuse(
-            "ambiguous", f"this could be a side of the table or an end of the {line.kind}", at_.span,
-            f"say 'of the table', or name the block among those of the {line.kind}",
-        )  # fmt: skip
+        raise refuse("ambiguous", f"this could be a side of the table or an end of the {line.kind}", at_.span,
+                     f"say 'of the table', or name the block among those of the {line.kind}")  # fmt: skip
     beside = r.LeftOf | r.RightOf | r.InFrontOf | r.Behind
     related = related_to(ref, goal, scene)
     if at_.side != "middle" and related:
@@ -229,8 +225,11 @@ def _of_what(item: Loose, goal: g.Goal, scene: Scene) -> None:
     if any(isinstance(a, s.Row) and not set(ref.names) & set(a.blocks) for a in atoms(goal)):
         raise refuse("ambiguous", "this could be a place on the table or in the line", at_.span,
                      "say 'of the table', or name the block among those of the line")  # fmt: skip
-    near = [a for a in atoms(goal) if isinstance(a, r.Beside | r.Adjacent | r.Touching | r.Distance)]
-    its = _said_first(item, [a for a in atoms(goal) if isinstance(a, beside)])
+    sided = [a for a in atoms(goal) if isinstance(a, beside)]
+    pairs = [{*members(a.a), *members(a.b)} for a in sided]  # of these it is only told how far the one is on its side
+    close = r.Beside | r.Adjacent | r.Touching | r.Distance
+    near = [a for a in atoms(goal) if isinstance(a, close) and {*members(a.a), *members(a.b)} not in pairs]
+    its = _said_first(item, sided)
     among = at_.side == "middle" and not its and any(isinstance(a, beside | r.Near | r.Apart) for a in atoms(goal))
     if any(at_.side == "middle" or set(ref.names) & {*members(a.a), *members(a.b)} for a in near) or among:
         raise refuse("ambiguous", "this could be a side of the table or of the other block", at_.span,

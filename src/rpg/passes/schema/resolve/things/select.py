@@ -320,15 +320,21 @@ def counted_each(noun: Noun, scene: Scene, patch: bool) -> bool:
 
 def _last_named(noun: Noun, found: list[Thing], scene: Scene, scope: Scope) -> Thing | None:
     """ "Red goes on blue and that one on green": the block that the clause before named last, in the same sentence.
-    Where something is put on "that one", it may as well be the block that was put on it."""
+    Where something is put on "that one", or beside it on the same side, it may as well be the block that was put there.
+    "Behind it green. Behind that one blue": the only one that the clause before named."""
     told = [m for m in scene.mentions if m.clause == scene.clause - 1 and m.ref.names]
     last = max(told, key=lambda m: m.ref.span, default=None)
     bare = (noun.head, noun.traits, noun.amount, noun.conditions, noun.part_of) == ("any", Traits(), None, (), None)
-    if last is None or not bare or noun.det != "the" or last.sentence != scene.sentence:
+    if last is None or not bare or noun.det != "the":
         return None
-    if scope.role != "theme" and last.rel in ("on", "above", "in"):
+    named = [m for m in told if not m.word]
+    alone = scope.role == "landmark" and len(named) == 1 < len(told) and not named[0].ref.patch
+    last = named[0] if alone else last
+    if not alone and (last.sentence != scene.sentence or last.role != "landmark"):
         return None
-    single = last.role == "landmark" and len(last.ref.names) == 1 and not last.ref.built and last.ref.quant is None
+    if not alone and scope.role != "theme" and last.rel in ("on", "above", "in", scope.rel):
+        return None
+    single = len(last.ref.names) == 1 and not last.ref.built and last.ref.quant is None
     return next((t for t in found if t.name == last.ref.names[0]), None) if single else None
 
 

@@ -10,7 +10,19 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from rpg.language import lexicon
-from rpg.language.nicknames import PLACES, ROLES, again, definite, labels, names_at, said, strange, thing_at
+from rpg.language.nicknames import (
+    PLACES,
+    ROLES,
+    again,
+    as_a_kind,
+    colored,
+    definite,
+    labels,
+    names_at,
+    said,
+    strange,
+    thing_at,
+)
 from rpg.language.phrases import length_at
 from rpg.language.tokens import Token
 
@@ -87,7 +99,7 @@ def _named_first(tokens: list[Token], words: list[str], at: int) -> Iterator[_Gl
     closed = words[thing : thing + 1] == [")"] if mark == "(" else thing == len(words) or words[thing] in _CLOSED
     if bare and (words[thing : thing + 2] == [",", "and"] or not _apposed(tokens, words, (at, name, end), thing)):
         return
-    if thing > begin and closed:
+    if thing > begin and closed and (not as_a_kind(tokens[name:end]) or colored(words[begin:thing])):
         told = definite(tokens[begin:thing])
         last = thing + (mark == "(" or words[thing : thing + 1] == [","])
         yield _Gloss(at, last, tokens[name:end], told, told)

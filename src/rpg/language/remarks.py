@@ -210,7 +210,7 @@ def _ahead(tokens: list[Token], begin: int, end: int, sentence: int) -> tuple[in
 def _comparisons(tokens: list[Token]) -> Iterator[tuple[int, int]]:
     """Where "like taxis" stands, with the comma that sets it off."""
     words = [token.word for token in tokens]
-    plain = any(w in lexicon.STRUCTURE or w in _STACKED or t.kind == "dims" for w, t in zip(words, tokens, strict=True))
+    plain = any(w in lexicon.STRUCTURE or w in _PLAIN or t.kind == "dims" for w, t in zip(words, tokens, strict=True))
     if not plain and any(lexicon.BLOCK.get(word) for word in words):
         return
     for at in range(len(words)):
@@ -237,7 +237,9 @@ def _compared(tokens: list[Token], said: list[str]) -> bool:
 
 _LIKING = frozenset({"would", "i", "we", "you", "they", "do", "does", "not", "to", "and", "or"})
 """Behind these "like" is what somebody does."""
-_STACKED = frozenset({"stack", "stacked", "stacking", "line", "lined", "shape", "shaped"})
+_PLAIN = frozenset({"stack", "stacked", "stacking", "line", "lined", "shape", "shaped", "together", "beside", "between",
+                    "middle", "corner", "around"})  # fmt: skip
+"""With these it is told how blocks lie."""
 
 
 def _in_brackets(tokens: list[Token]) -> Iterator[tuple[int, int]]:

@@ -1,0 +1,122 @@
+"""What blocks do in a story, as rows that say where they are: "takes a nap on" is sleeps on, "hops onto" is goes onto,
+"loves sitting on" is wants to sit on, "guard it from the left" is are to the left of it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rpg.language import lexicon
+from rpg.language.grammar.rows.said_short import THING
+from rpg.language.grammar.rows.turned import Turn
+
+_HARD = "(?:right |directly |just |immediately |safely |close |high )?"
+_WHERE = (
+    f"(?={_HARD}(?:on|onto|upon|atop|in|inside|under|underneath|below|beneath|next|beside|by|near|between|behind|left|"
+    "right|among|above|against|over there|there|side by side|at|to the (?:left|right))\\b)"
+)
+_WHITHER = (
+    f"(?={_HARD}(?:on|onto|upon|atop|to|into|under|underneath|next|beside|between|behind|in front|in between|left of|"
+    "right of)\\b)"
+)
+_WILL = (
+    "(?<=to )|(?<=must )|(?<=should )|(?<=shall )|(?<=will )|(?<=may )|(?<=can )|(?<=not )|(?<=and )|(?<=s )|"
+    f"(?<= [a-z] )|{'|'.join(f'(?<={color} )' for color in lexicon.COLORS)}"
+)
+"""What stands before a verb that tells nobody's doing by its form, or several that do it."""
+_STILL = "doze|slumber|snore|nap|play|ride|wait|lurk|linger|crouch|squat|kneel|bask|reign|huddle|cuddle|snuggle|curl"
+_MOVED = "hop|leap|jump|climb|clamber|crawl|scramble|fly|walk|run|wander|march|stroll|hurry|swim|travel|tiptoe|waddle"
+_ING = {"nap": "napping", "hop": "hopping", "run": "running", "swim": "swimming", "squat": "squatting"}
+_REST = "(?:little |short |quick |long |well - earned |good )?(?:nap|rest|break|seat|snooze|siesta|breather|catnap)"
+_GUARD = "guard|watch|sentry|sentinel|lookout"
+
+
+def _s(verb: str) -> str:
+    stem = verb[:-1] + "ie" if verb in ("fly", "hurry") else verb + "e" * verb.endswith(("sh", "ch", "go"))
+    return f"{stem}s"
+
+
+def _ing(verb: str) -> str:
+    return _ING.get(verb, verb.removesuffix("e") + "ing")
+
+
+def _in_each_form(verbs: str, behind: str, plain: tuple[str, str, str]) -> Iterator[Turn]:
+    """Verbs with what follows them, as a plain one in the same form."""
+    each = verbs.split("|")
+    yield f"(?:{_WILL})(?:{verbs}){behind}", plain[0]
+    yield f"\\b(?:{'|'.join(map(_s, each))}){behind}", plain[1]
+    yield f"\\b(?:{'|'.join(map(_ing, each))}){behind}", plain[2]
+
+
+_SLEEP = ("sleep", "sleeps", "sleeping")
+_STAND = ("stand", "stands", "standing")
+_GO = ("go", "goes", "going")
+_POSTURES = "sit|sitting|stand|standing|lie|lying|be|being|rest|resting|sleep|sleeping|stay|staying"
+_BARE = {"sitting": "sit", "standing": "stand", "lying": "lie", "being": "be", "resting": "rest", "sleeping": "sleep",
+         "staying": "stay", "touching": "touch", "having": "have"}  # fmt: skip
+_POSTURES = "sit|stand|lie|be|rest|sleep|stay|touch|have|go"
+_EVERY = "|".join((*_POSTURES.split("|"), "sitting", "standing", "lying", "being", "resting", "sleeping", "staying"))
+DOINGS: tuple[Turn, ...] = (
+    # who rests or watches there
+    *_in_each_form("take|have", f" an? {_REST} {_WHERE}", _SLEEP),
+    *_in_each_form("keep|stand", f" (?:{_GUARD}) {_WHERE}", _STAND),
+    *_in_each_form("go|get", f" to (?:sleep|bed|rest) {_WHERE}", _SLEEP),
+    *_in_each_form("fall", f" (?:fast )?asleep {_WHERE}", _SLEEP),
+    *_in_each_form(_STILL, f"(?: up| down| out| around| piggyback)? {_WHERE}", ("sit", "sits", "sitting")),
+    *_in_each_form("sit|settle|lie|lay|rest", f" (?:itself |themselves )?down {_WHERE}", ("sit", "sits", "sitting")),
+    *_in_each_form("have|make", f" (?:its|their|an?) (?:home|house|place|bed|nest|throne) {_WHERE}", _SLEEP),
+    (f"\\b(is|are|be|being|lies|lie) (?:fast |sound |already )?(?:asleep|at rest|on guard|on watch|on duty|on the "
+     f"lookout|at home|waiting|hiding|dozing|snoring|playing|dreaming) {_WHERE}", "{1}"),
+    *_in_each_form("keep|stand", f" (?:{_GUARD}) from (?:the )?top of (?=the|an?)", ("stand on top of", "stands on top of",
+                                                                                "standing on top of")),
+    *_in_each_form("go|come|get", " (?:for a (?:walk|stroll|march|hike) |marching |walking )in (?=single file|an? (?:row|line))",
+                   ("stand in", "stands in", "standing in")),
+    # who gets there
+    *_in_each_form("go|come|get|walk|run", " (?:back )?home (?=to (?:the|its|their|an?)\\b)", _GO),
+    *_in_each_form(_MOVED, f"(?: up| down| off| over| along| across| back)? {_WHITHER}", _GO),
+    (f"\\bhas (?:climbed|hopped|jumped|leapt|leaped|crawled|clambered|fallen asleep|settled|sat)(?: up| down| over)? "
+     f"{_WHITHER}", "is"),
+    (f"\\bhave (?:climbed|hopped|jumped|leapt|leaped|crawled|clambered|fallen asleep|settled|sat)(?: up| down| over)? "
+     f"{_WHITHER}", "are"),
+    (f"^({THING}) (?:visits|meets|goes to (?:visit|see|meet)) ({THING})(?: ,)? and (\\w+(?: down)? (?:on|on top of|next "
+     "to|beside|behind|in front of|under|on the (?:left|right) of|to the (?:left|right) of)) (?:it|him|her)$",
+     "{1} {3} {2}"),
+    # who watches whom
+    *((f"\\b(?:guards|watches|protects|shields)( {THING}) from {told}$", f"is {side} {{1}}")
+      for told, side in (("the left(?: side)?", "to the left of"), ("the right(?: side)?", "to the right of"),
+                         ("behind", "behind"), ("the front", "in front of"))),
+    *((f"\\b(?:guard|watch|protect|shield)( {THING}) from {told}$", f"are {side} {{1}}")
+      for told, side in (("the left(?: side)?", "to the left of"), ("the right(?: side)?", "to the right of"),
+                         ("behind", "behind"), ("the front", "in front of"))),
+)
+"""What they do."""
+
+_LOVES = (
+    "(?:longs|yearns|loves|likes|enjoys|prefers|insists on|decides|has decided|chooses|dreams of|hopes|wishes|begs|"
+    "is (?:eager|happy|glad|dying|keen on|fond of)|would (?:love|prefer|so like|really like))"
+)
+_LOVE = _LOVES.replace("s|", "|").replace("has decided", "have decided").replace("is (", "are (")
+_HATES = (
+    "(?:hates|dislikes|detests|(?:can not|does not) (?:stand|bear|like|tolerate)|refuses|"
+    "(?:is|feels) (?:too )?(?:afraid|scared|frightened|shy|proud)(?: of)?)"
+)
+_HATE = _HATES.replace("s|", "|").replace("does not", "do not").replace("(?:is|feels)", "(?:are|feel)")
+_BARE = {"sitting": "sit", "standing": "stand", "lying": "lie", "being": "be", "resting": "rest",
+         "sleeping": "sleep", "staying": "stay", "touching": "touch"}  # fmt: skip
+_ANYBODY = "(?:anybody|anyone)(?: else)?"
+_ATOP = "(?:on top of (?:it|him|her)|on top|on (?:it|him|her)|on (?:its|his|her) (?:head|back|top|shoulders))"
+
+WISHES: tuple[Turn, ...] = (
+    *((f"\\b{loves} {doing}\\b", f"{wants} to {plain}")
+      for loves, wants in ((_LOVES, "wants"), (_LOVE, "want"), (_HATES, "does not want"), (_HATE, "do not want"))
+      for doing, plain in _BARE.items()),
+    *((f"\\b{loves} to (?=(?:sit|stand|lie|be|rest|sleep|stay|touch|go)\\b)", f"{wants} to ")
+      for loves, wants in ((_LOVES, "wants"), (_LOVE, "want"), (_HATES, "does not want"), (_HATE, "do not want"))),
+    # nobody is no other block
+    (f"\\b(not (?:want to |wish to )?(?:touch|(?:be |sit |stand |lie |sleep )(?:next to|near|beside|close to)))"
+     f" {_ANYBODY}(?= |$)", "{1} anything"),
+    (f"^({THING}) (?:do|does) not (?:want|like|let|allow) (?:{_ANYBODY}|any block|any other block|other blocks)(?: to)?"
+     f"(?: be| sit| stand| lie| climb| sleep| sitting| standing)? {_ATOP}$", "nothing may be on {1}"),
+    (f"^({THING}) (?:wants|likes|lets|allows) (?:nobody|no one|none|nothing)(?: to)?"
+     f"(?: be| sit| stand| lie| climb| sleep| sitting| standing)? {_ATOP}$", "nothing may be on {1}"),
+)
+"""What they would like, and what they would not."""

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from rpg.language.grammar.rows.turned import Turns, turned
 from rpg.language.stories.doings import DOINGS, WISHES
+from rpg.language.stories.motives import MOTIVES
 from rpg.language.stories.wardrobe import WARDROBE
 from rpg.language.tokens import Token
 
-_TURNS = Turns((*WISHES, *DOINGS, *WARDROBE))
+_TURNS = Turns((*MOTIVES, *WISHES, *DOINGS, *WARDROBE))
 
 
 def as_a_story(tokens: list[Token]) -> tuple[list[Token], list[str]]:

@@ -54,7 +54,8 @@ WARDROBE: tuple[Turn, ...] = (
      "{1} blocks"),
     # how red, yellow and green stand in a traffic light
     ("^(?=.*\\bred\\b)(?=.*\\bgreen\\b)(?!.*\\b(?:the top|on top(?! of (?:each|one))|bottom|order|below|under|first|then|"
-     "left|right|from|row|line|column)\\b)(.*\\b(yellow|orange)\\b.*?)(?: ,)? (?:just |exactly |arranged |colored )?"
+     "left|right|from|row|line|column)\\b)(?=.*\\b(?:stack|stacked|tower|pile|piled|on top of)\\b)(.*\\b(yellow|"
+     "orange)\\b.*?)(?: ,)? (?:just |exactly |arranged |colored )?"
      "(?:like|as in|as on) (?:an?|the) traffic lights?$", "{1} , red on top , {2} in the middle , green at the bottom"),
     # how it is brought there
     ("\\bbreak ((?:the|that|this|my|our|an?) [^,]*?\\b(?:tower|stack|pile|wall|row|pyramid)\\b[^,]*?) (?:down|apart|up)"

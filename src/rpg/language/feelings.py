@@ -39,7 +39,7 @@ _OF_ANOTHER = (
 _FEELS = (("is",), ("feels",), ("looks",), ("seems",), ("gets",))
 _HOW = frozenset({"so", "very", "really", "a", "bit", "little", "all", "always", "quite", "too"})
 _ALONE = TELLING_NOTHING | frozenset({
-    *FEELINGS, "cold", "alone", "ugly", "chipped", "sticky", "dirty", "dusty", "scratched", "worn", "fragile", "delicate", "precious", "valuable", "broken",
+    *FEELINGS, "cold", "alone", "lost", "ugly", "chipped", "sticky", "dirty", "dusty", "scratched", "worn", "fragile", "delicate", "precious", "valuable", "broken",
     "greasy", "slippery", "smelly", "antique", "rusty",
 })  # fmt: skip
 """What no block is."""
@@ -113,6 +113,8 @@ def _lonely(words: list[str], at: int) -> int:
     end = at + length_at(words, at, _MISSES)
     if end > at and (end == len(words) or words[end] in _BREAKS):
         return end
+    if (apart := at + length_at(words, at, _WANTS_ROOM)) > at:  # and what follows from that is told
+        return apart if words[apart : apart + 1] in ([":"], ["so"]) or words[apart : apart + 2] == [",", "so"] else 0
     verb = length_at(words, at, _FEELS)
     end = at + verb
     while verb and end + 1 < len(words) and words[end] in _HOW and words[end + 1] not in (".", ",", "!"):
@@ -137,6 +139,14 @@ _MISSES = tuple(
                  "someone to play with", "a playmate", "one to play with")
 )  # fmt: skip
 """What is said of one that is alone."""
+_WANTS_ROOM = tuple(
+    (*wants.split(), *what.split())
+    for wants in ("wants", "needs", "would like", "prefers", "likes")
+    for what in ("to be left alone", "to be alone", "some peace", "peace and quiet", "some peace and quiet", "quiet",
+                 "some space", "some room", "space", "its own space", "to be left in peace", "no company", "privacy",
+                 "some privacy")
+)  # fmt: skip
+"""What is said of one that others are to keep away from."""
 _BECAUSE = tuple(
     ("because", *who.split(), *why.split())
     for who in ("it is", "he is", "she is", "it feels", "he feels", "she feels")

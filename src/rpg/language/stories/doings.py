@@ -23,7 +23,7 @@ _WILL = (
     f"(?<= [a-z] )|{'|'.join(f'(?<={color} )' for color in lexicon.COLORS)}"
 )
 """What stands before a verb that tells nobody's doing by its form, or several that do it."""
-_STILL = "doze|slumber|snore|nap|play|ride|wait|lurk|linger|crouch|squat|kneel|bask|reign|huddle|cuddle|snuggle|curl"
+_STILL = "doze|slumber|snore|nap|play|ride|wait|lurk|linger|crouch|squat|kneel|bask|sunbathe|reign|huddle|cuddle|snuggle|curl"
 _MOVED = "hop|leap|jump|climb|clamber|crawl|scramble|fly|walk|run|wander|march|stroll|hurry|swim|travel|tiptoe|waddle"
 _ING = {"nap": "napping", "hop": "hopping", "run": "running", "swim": "swimming", "squat": "squatting"}
 _REST = "(?:little |short |quick |long |well - earned |good )?(?:nap|rest|break|seat|snooze|siesta|breather|catnap)"
@@ -71,6 +71,9 @@ DOINGS: tuple[Turn, ...] = (
     *_in_each_form("go|come|get", " (?:for a (?:walk|stroll|march|hike) |marching |walking )in (?=single file|an? (?:row|line))",
                    ("stand in", "stands in", "standing in")),
     # who gets there
+    (f"\\bhelp ((?:the|an?|this|my) [^,:]+?)(?: to)? (?:get|go|come|climb|move)(?: up| over| back| down| safely)? {_WHITHER}", "move {1} "),
+    *((f"\\b(?:{goes}) to (?:sit|stand|lie|sleep|rest)(?: down)? {_WHERE}", plain)
+      for goes, plain in (("goes|comes|runs|hurries|walks", "goes"), ("go|come|run|hurry|walk", "go"))),
     *_in_each_form("go|come|get|walk|run", " (?:back )?home (?=to (?:the|its|their|an?)\\b)", _GO),
     *_in_each_form(_MOVED, f"(?: up| down| off| over| along| across| back)? {_WHITHER}", _GO),
     (f"\\bhas (?:climbed|hopped|jumped|leapt|leaped|crawled|clambered|fallen asleep|settled|sat)(?: up| down| over)? "

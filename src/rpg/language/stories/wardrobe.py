@@ -3,9 +3,10 @@ between them, and "as a lookout" tells no more of a place."""
 
 from __future__ import annotations
 
+from rpg.language import lexicon
 from rpg.language.grammar.rows.said_short import THING
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR
+from rpg.language.grammar.rows.vocabulary import COLOR, FEW
 
 _HAT = "(?:top )?(?:hat|cap|crown|roof|lid|helmet|bonnet|beret|beanie|tiara|rooftop|topper)(?! (?:block|cube|one)\\b)"
 _LOOK = f"(?:(?:little|small|big|large|tiny) )?{COLOR}"
@@ -24,10 +25,18 @@ _BOTH_SIDES = (
     "(?:(?:on|from|at|to) )?(?:both sides|either side|each side|(?:the |its )?left and (?:the |its )?right|(?:the |its )?"
     "right and (?:the |its )?left)(?: of it| side)?"
 )
+_LOAD = "(?:load|load up|fill|fill up|stock|cover|pack)"
+_WHAT = "(?:the|an?|my|our|this|that|all|both|\\d+|" + FEW + ")"
+_LOT = f"{_WHAT} (?:(?:{COLOR}|big|small|large|little) )*(?:{'|'.join(lexicon.BLOCK)}|ones?)"
+_BIT = "(?:(?:an? |some |more |extra |added |the )*(?:bit|touch|hint|dash|splash|pinch) of |some |more |extra |added |the )?"
+_EFFECT = "(?:drama|contrast|effect|elegance|style|flair|charm|interest|emphasis|sparkle|glamour|variety|luck|decoration)"
 _TWO = f"(?:the )?two {COLOR} (?:blocks|cubes|ones)"
 
 WARDROBE: tuple[Turn, ...] = (
     # what is on top
+    (f" like {_ITS} {_HAT} (?=(?:on|over|atop)\\b)", " "),
+    (f"\\b({COLOR} (?:one|block|cube)) (?:perched|perching|sitting|seated|balanced|balancing|resting|enthroned|riding|"
+     "standing|placed) (?=on top(?: of it)?(?: ,|$))", "{1} "),
     (f"\\bwearing ({_ITS} {_LOOK}) {_HAT}(?: on (?:top|its head))?", "with {1} block on top"),
     (f"\\b(?:wears|carries|gets|has) ({_ITS} {_LOOK}) {_HAT}(?: on (?:top|its head))?", "has {1} block on top"),
     (f"\\b(with|and|give (?:the|an?|this|that) [^,:]+?|give it) ({_ITS} {_LOOK}) {_HAT}(?: on (?:top|its head))?(?= ,|$| and\\b)",
@@ -43,6 +52,11 @@ WARDROBE: tuple[Turn, ...] = (
     (f" as {_ITS} {_ROLE} (?={_PLACED}\\b)", " "),
     (f"^(.*\\b{_PLACED} .*?)(?: ,)? as (?:{_ITS} )?{_ROLE}(?= ,|$| and\\b)", "{1}"),
     # whom they have between them
+    (f"^(?:a pair of|two)(?: matching| identical| equal)? ({COLOR} (?:blocks|cubes|ones)) (?:bookend|flank|frame|border|"
+     "bracket) (an? (?:row|line) of [^,]+)$", "{2} , flanked by two {1}"),
+    (f"^one ({COLOR}) (block|cube) (?:guards|watches|protects|flanks) ({THING}|it|her|him) (?:on|from|at|to) (?:the|its) (left|"
+     "right)(?: ,)? and (?:one|another)(?: one)? (?:does so )?(?:on|from|at|to) (?:the|its) (left|right)$",
+     "one {1} {2} is to the {4} of {3} and one is to the {5} of {3}"),
     (f"\\b(?:flanked|framed|guarded|bordered|bracketed|protected) by (?:two )?({COLOR}) (blocks|cubes|ones) {_BOTH_SIDES}$",
      "flanked by two {1} {2}"),
     (f"^({_TWO}) (?:guard|flank|frame|protect|watch over|watch|shield) ({THING}) {_BOTH_SIDES}$", "{2} is flanked by {1}"),
@@ -52,6 +66,12 @@ WARDROBE: tuple[Turn, ...] = (
      "{1} block"),
     (f"\\b({COLOR}) (?:friends|buddies|pals|mates|companions|neighbors|fellows|guys|guards|guardians|guests|visitors)\\b",
      "{1} blocks"),
+    # a base, and what is said of looks alone
+    (f"\\b(make|build|form|create) an? (?:\\w+ )?(?:pedestal|podium|plinth|platform|throne|stage|bed|nest) (?:of|from|out of|"
+     f"with) ({_WHAT} (?:{COLOR} )?(?:blocks|cubes|boxes|bricks)) (?=in an? (?:square|row|line|circle)\\b|side by side|next to "
+     "each other)", "put {2} "),
+    (f"^(?:for|to add|adding) {_BIT}{_EFFECT} ,", ""),
+    (f"(?: ,)? (?:for|to add|adding) {_BIT}{_EFFECT}$", ""),
     # how red, yellow and green stand in a traffic light
     ("^(?=.*\\bred\\b)(?=.*\\bgreen\\b)(?!.*\\b(?:the top|on top(?! of (?:each|one))|bottom|order|below|under|first|then|"
      "left|right|from|row|line|column)\\b)(?=.*\\b(?:stack|stacked|tower|pile|piled|on top of)\\b)(.*\\b(yellow|"
@@ -60,5 +80,7 @@ WARDROBE: tuple[Turn, ...] = (
     # how it is brought there
     ("\\bbreak ((?:the|that|this|my|our|an?) [^,]*?\\b(?:tower|stack|pile|wall|row|pyramid)\\b[^,]*?) (?:down|apart|up)"
      "(?= ,|$| and)", "break down {1}"),
-    ("\\b(load|fill) up (?=(?:the|an?) [^,]+ with\\b)", "{1}"),
+    (f"\\b{_LOAD} ({_WHAT} [^,:]+?) with ({_LOT}(?: , {_LOT})*(?: ,)? and {_LOT})(?= ,|$)", "put {2} on {1}"),
+    (f"\\b{_LOAD} ({_WHAT} [^,:]+?) with (?={_LOT}(?: ,|$))", "load {1} with"),
+    (f"\\b(?:offload|unload) ({_WHAT} [^,:]+?) from (?=the|an?)", "take {1} from"),
 )

@@ -39,8 +39,8 @@ _OF_ANOTHER = (
 _FEELS = (("is",), ("feels",), ("looks",), ("seems",), ("gets",))
 _HOW = frozenset({"so", "very", "really", "a", "bit", "little", "all", "always", "quite", "too"})
 _ALONE = TELLING_NOTHING | frozenset({
-    *FEELINGS, "cold", "alone", "lost", "ugly", "chipped", "sticky", "dirty", "dusty", "scratched", "worn", "fragile", "delicate", "precious", "valuable", "broken",
-    "greasy", "slippery", "smelly", "antique", "rusty",
+    *FEELINGS, "cold", "alone", "lost", "ugly", "chipped", "sticky", "dirty", "dusty", "scratched", "worn", "fragile",
+    "delicate", "valuable", "broken", "greasy", "slippery", "smelly", "antique", "rusty",
 })  # fmt: skip
 """What no block is."""
 _ADDED = frozenset({"today", "again", "there", "here", "now"})
@@ -55,16 +55,19 @@ _BEHIND = _BREAKS | {"so"}
 
 def without_feelings(tokens: list[Token]) -> tuple[list[Token], list[str]]:
     """The tokens with "there is" for what blocks feel, and notes of that."""
-    words = [token.word for token in tokens]
+    tokens, words = [*tokens], [token.word for token in tokens]
     out: list[Token] = []
     notes: list[str] = []
     at = 0
     while at < len(tokens):
         things, end = _felt(words, at)
         if not things:
-            behind = _and_more(words, at)
-            out += tokens[at : at + max(behind[0] - at, 1)]
-            at = max(behind[1], at + 1)
+            thing, more = _and_more(words, at)
+            if more > at:
+                del tokens[thing:more], words[thing:more]
+                continue
+            out.append(tokens[at])
+            at += 1
             continue
         told = " ".join({token.span: token.raw for token in tokens[at:end]}.values())
         notes.append(f"left out, for it asks for nothing: '{told}'")

@@ -97,7 +97,8 @@ def _named_first(tokens: list[Token], words: list[str], at: int) -> Iterator[_Gl
     if not begin or begin >= len(words) or (bare and (words[begin] not in ("a", "an") or name == at)):
         return
     thing = thing_at(words, begin)
-    if mark == "(" and words[begin] in lexicon.COLOR and words[begin + 1 : begin + 2] == [")"] and _alive(words[end - 1]):
+    hue = mark == "(" and words[begin] in lexicon.COLOR and words[begin + 1 : begin + 2] == [")"]
+    if hue and words[end - 1] in PEOPLE | ANIMALS:  # no patch would be called so
         told = [tokens[begin].saying("the"), tokens[begin], tokens[begin].saying("block")]
         yield _Gloss(at, begin + 2, tokens[name:end], told, told)
         return
@@ -121,11 +122,6 @@ def _apposed(tokens: list[Token], words: list[str], name: tuple[int, int, int], 
     fronted = at < name[0] and (at == 0 or words[at - 1] in _BEFORE) and not closed
     letter = end == begin + 1 and labels(tokens[begin])
     return not fronted and not letter and (not place or words[thing - 1] in lexicon.PATCH)
-
-
-def _alive(noun: str) -> bool:
-    """ "The princess (pink)": no patch would be called so."""
-    return noun in PEOPLE | ANIMALS
 
 
 _NEAR = 8

@@ -48,7 +48,7 @@ LAID_OUT = listed("phone telephone keypad keypads calculator numpad keyboard dic
 """What has its symbols in a certain order: "like on a phone" is no talk."""
 
 _COLORED = listed("traffic flag flags zebra bee bees bumblebee wasp tiger skunk lighthouse candy pole piano sandwich "
-                  "burger hamburger oreo watermelon rainbow sunset sunrise caterpillar pedestrian football")  # fmt: skip
+                  "burger hamburger oreo watermelon rainbow sunset sunrise caterpillar football")  # fmt: skip
 """What has its colours in an order of its own."""
 _ORDER_TOLD = listed("top bottom under below over above on then order first last left right alternating alternately")
 

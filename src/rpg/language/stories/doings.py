@@ -1,5 +1,5 @@
-"""What blocks do in a story, as rows that say where they are: "takes a nap on" is sleeps on, "hops onto" is goes onto,
-"loves sitting on" is wants to sit on, "guard it from the left" is are to the left of it."""
+"""What blocks do in a story, and would like to, as rows that say where they are: "takes a nap on" is sleeps on, "hops
+onto" is goes onto, "loves sitting on" is wants to sit on, "guards it from the left" is to the left of it."""
 
 from __future__ import annotations
 
@@ -23,11 +23,19 @@ _WILL = (
     f"(?<= [a-z] )|{'|'.join(f'(?<={color} )' for color in lexicon.COLORS)}"
 )
 """What stands before a verb that tells nobody's doing by its form, or several that do it."""
-_STILL = "doze|slumber|snore|nap|play|ride|wait|lurk|linger|crouch|squat|kneel|bask|sunbathe|reign|huddle|cuddle|snuggle|curl"
+_STILL = (
+    "doze|slumber|snore|nap|play|ride|wait|lurk|linger|crouch|squat|kneel|bask|sunbathe|reign|huddle|cuddle|snuggle|"
+    "curl"
+)
 _MOVED = "hop|leap|jump|climb|clamber|crawl|scramble|fly|walk|run|wander|march|stroll|hurry|swim|travel|tiptoe|waddle"
+_HAS_MOVED = "(?:climbed|hopped|jumped|leapt|leaped|crawled|clambered|fallen asleep|settled|sat)(?: up| down| over)?"
 _ING = {"nap": "napping", "hop": "hopping", "run": "running", "swim": "swimming", "squat": "squatting"}
-_REST = "(?:little |short |quick |long |well - earned |good )?(?:nap|rest|break|seat|snooze|siesta|breather|catnap)"
-_GUARD = "guard|watch|sentry|sentinel|lookout"
+_REST = "(?:little |short |quick |long |good )?(?:nap|rest|break|seat|snooze|siesta|breather|catnap)"
+_GUARD = "(?:guard|watch|sentry|sentinel|lookout)"
+_STATE = (
+    "(?:fast |sound |already )?(?:asleep|at rest|on guard|on watch|on duty|on the lookout|at home|waiting|hiding|"
+    "dozing|snoring|playing|dreaming)"
+)
 
 
 def _s(verb: str) -> str:
@@ -49,77 +57,74 @@ def _in_each_form(verbs: str, behind: str, plain: tuple[str, str, str]) -> Itera
 
 _SLEEP = ("sleep", "sleeps", "sleeping")
 _STAND = ("stand", "stands", "standing")
+_SIT = ("sit", "sits", "sitting")
 _GO = ("go", "goes", "going")
-_POSTURES = "sit|sitting|stand|standing|lie|lying|be|being|rest|resting|sleep|sleeping|stay|staying"
-_BARE = {"sitting": "sit", "standing": "stand", "lying": "lie", "being": "be", "resting": "rest", "sleeping": "sleep",
-         "staying": "stay", "touching": "touch", "having": "have"}  # fmt: skip
-_POSTURES = "sit|stand|lie|be|rest|sleep|stay|touch|have|go"
-_EVERY = "|".join((*_POSTURES.split("|"), "sitting", "standing", "lying", "being", "resting", "sleeping", "staying"))
+_ON_TOP = ("stand on top of", "stands on top of", "standing on top of")
+_IN = ("stand in", "stands in", "standing in")
+
 DOINGS: tuple[Turn, ...] = (
     # who rests or watches there
     *_in_each_form("take|have", f" an? {_REST} {_WHERE}", _SLEEP),
-    *_in_each_form("keep|stand", f" (?:{_GUARD}) {_WHERE}", _STAND),
+    *_in_each_form("keep|stand", f" {_GUARD} {_WHERE}", _STAND),
+    *_in_each_form("keep|stand", f" {_GUARD} from (?:the )?top of (?=the|an?)", _ON_TOP),
     *_in_each_form("go|get", f" to (?:sleep|bed|rest) {_WHERE}", _SLEEP),
     *_in_each_form("fall", f" (?:fast )?asleep {_WHERE}", _SLEEP),
-    *_in_each_form(_STILL, f"(?: up| down| out| around| piggyback)? {_WHERE}", ("sit", "sits", "sitting")),
-    *_in_each_form("sit|settle|lie|lay|rest", f" (?:itself |themselves )?down {_WHERE}", ("sit", "sits", "sitting")),
+    *_in_each_form(_STILL, f"(?: up| down| out| around| piggyback)? {_WHERE}", _SIT),
+    *_in_each_form("sit|settle|lie|lay|rest", f" (?:itself |themselves )?down {_WHERE}", _SIT),
     *_in_each_form("have|make", f" (?:its|their|an?) (?:home|house|place|bed|nest|throne) {_WHERE}", _SLEEP),
-    (f"\\b(is|are|be|being|lies|lie) (?:fast |sound |already )?(?:asleep|at rest|on guard|on watch|on duty|on the "
-     f"lookout|at home|waiting|hiding|dozing|snoring|playing|dreaming) {_WHERE}", "{1}"),
-    *_in_each_form("keep|stand", f" (?:{_GUARD}) from (?:the )?top of (?=the|an?)", ("stand on top of", "stands on top of",
-                                                                                "standing on top of")),
-    *_in_each_form("go|come|get", " (?:for a (?:walk|stroll|march|hike) |marching |walking )in (?=single file|an? (?:row|line))",
-                   ("stand in", "stands in", "standing in")),
+    *_in_each_form("go|come|get", " for a (?:walk|stroll|march|hike) in (?=single file|an? (?:row|line))", _IN),
+    (f"\\b(is|are|be|being|lies|lie) {_STATE} {_WHERE}", "{1}"),
     # who gets there
-    (f"\\bhelp ((?:the|an?|this|my) [^,:]+?)(?: to)? (?:get|go|come|climb|move)(?: up| over| back| down| safely)? {_WHITHER}", "move {1} "),
+    (f"\\bhelp ((?:the|an?|this|my) [^,:]+?)(?: to)? (?:get|go|come|climb|move)(?: up| over| back| down| safely)? "
+     f"{_WHITHER}", "move {1} "),
     *((f"\\b(?:{goes}) to (?:sit|stand|lie|sleep|rest)(?: down)? {_WHERE}", plain)
       for goes, plain in (("goes|comes|runs|hurries|walks", "goes"), ("go|come|run|hurry|walk", "go"))),
     *_in_each_form("go|come|get|walk|run", " (?:back )?home (?=to (?:the|its|their|an?)\\b)", _GO),
     *_in_each_form(_MOVED, f"(?: up| down| off| over| along| across| back)? {_WHITHER}", _GO),
-    (f"\\bhas (?:climbed|hopped|jumped|leapt|leaped|crawled|clambered|fallen asleep|settled|sat)(?: up| down| over)? "
-     f"{_WHITHER}", "is"),
-    (f"\\bhave (?:climbed|hopped|jumped|leapt|leaped|crawled|clambered|fallen asleep|settled|sat)(?: up| down| over)? "
-     f"{_WHITHER}", "are"),
-    (f"^({THING}) (?:visits|meets|goes to (?:visit|see|meet)) ({THING})(?: ,)? and (\\w+(?: down)? (?:on|on top of|next "
-     "to|beside|behind|in front of|under|on the (?:left|right) of|to the (?:left|right) of)) (?:it|him|her)$",
+    *((f"\\b{has} {_HAS_MOVED} {_WHITHER}", plain) for has, plain in (("has", "is"), ("have", "are"))),
+    (f"^({THING}) (?:visits|meets|goes to (?:visit|see|meet)) ({THING})(?: ,)? and (\\w+(?: down)? (?:on|on top of|"
+     "next to|beside|behind|in front of|under|on the (?:left|right) of|to the (?:left|right) of)) (?:it|him|her)$",
      "{1} {3} {2}"),
     # who watches whom
-    *((f"\\b(?:guards|watches|protects|shields)( {THING}) from {told}$", f"is {side} {{1}}")
+    *((f"\\b{guards}( {THING}) from {told}$", f"{plain} {side} {{1}}")
+      for guards, plain in (("(?:guards|watches|protects|shields)", "is"), ("(?:guard|watch|protect|shield)", "are"))
       for told, side in (("the left(?: side)?", "to the left of"), ("the right(?: side)?", "to the right of"),
                          ("behind", "behind"), ("the front", "in front of"))),
-    *((f"\\b(?:guard|watch|protect|shield)( {THING}) from {told}$", f"are {side} {{1}}")
-      for told, side in (("the left(?: side)?", "to the left of"), ("the right(?: side)?", "to the right of"),
-                         ("behind", "behind"), ("the front", "in front of"))),
-)
+)  # fmt: skip
 """What they do."""
 
+_EAGER = "(?:eager|happy|glad|dying|keen on|fond of)"
+_GLADLY = "would (?:love|prefer|so like|really like)"
 _LOVES = (
-    "(?:longs|yearns|loves|likes|enjoys|prefers|insists on|decides|has decided|chooses|dreams of|hopes|wishes|begs|"
-    "is (?:eager|happy|glad|dying|keen on|fond of)|would (?:love|prefer|so like|really like))"
+    "(?:longs|yearns|loves|likes|enjoys|prefers|insists on|decides|has decided|chooses|dreams of|hopes|wishes|begs|is "
+    f"{_EAGER}|{_GLADLY})"
 )
-_LOVE = _LOVES.replace("s|", "|").replace("has decided", "have decided").replace("is (", "are (")
-_HATES = (
-    "(?:hates|dislikes|detests|(?:can not|does not) (?:stand|bear|like|tolerate)|refuses|"
-    "(?:is|feels) (?:too )?(?:afraid|scared|frightened|shy|proud)(?: of)?)"
+_LOVE = (
+    "(?:long|yearn|love|like|enjoy|prefer|insist on|decide|have decided|choose|dream of|hope|wish|beg|are "
+    f"{_EAGER}|{_GLADLY})"
 )
-_HATE = _HATES.replace("s|", "|").replace("does not", "do not").replace("(?:is|feels)", "(?:are|feel)")
+_AFRAID = "(?:too )?(?:afraid|scared|frightened|shy|proud)(?: of)?"
+_BEAR = "(?:stand|bear|like|tolerate)"
+_HATES = f"(?:hates|dislikes|detests|(?:can not|does not) {_BEAR}|refuses|(?:is|feels) {_AFRAID})"
+_HATE = f"(?:hate|dislike|detest|(?:can not|do not) {_BEAR}|refuse|(?:are|feel) {_AFRAID})"
 _BARE = {"sitting": "sit", "standing": "stand", "lying": "lie", "being": "be", "resting": "rest",
          "sleeping": "sleep", "staying": "stay", "touching": "touch"}  # fmt: skip
+_WANTS = ((_LOVES, "wants"), (_LOVE, "want"), (_HATES, "does not want"), (_HATE, "do not want"))
 _ANYBODY = "(?:anybody|anyone)(?: else)?"
-_ATOP = "(?:on top of (?:it|him|her)|on top|on (?:it|him|her)|on (?:its|his|her) (?:head|back|top|shoulders))"
+_ATOP = (
+    "(?: be| sit| stand| lie| climb| sleep| sitting| standing)? (?:on top of (?:it|him|her)|on top|on (?:it|him|her)|"
+    "on (?:its|his|her) (?:head|back|top|shoulders))"
+)
 
 WISHES: tuple[Turn, ...] = (
-    *((f"\\b{loves} {doing}\\b", f"{wants} to {plain}")
-      for loves, wants in ((_LOVES, "wants"), (_LOVE, "want"), (_HATES, "does not want"), (_HATE, "do not want"))
-      for doing, plain in _BARE.items()),
-    *((f"\\b{loves} to (?=(?:sit|stand|lie|be|rest|sleep|stay|touch|go)\\b)", f"{wants} to ")
-      for loves, wants in ((_LOVES, "wants"), (_LOVE, "want"), (_HATES, "does not want"), (_HATE, "do not want"))),
-    # nobody is no other block
-    (f"\\b(not (?:want to |wish to )?(?:touch|(?:be |sit |stand |lie |sleep )(?:next to|near|beside|close to)))"
+    *((f"\\b{loves} {doing}\\b", f"{wants} to {plain}") for loves, wants in _WANTS for doing, plain in _BARE.items()),
+    *((f"\\b{loves} to (?=(?:{'|'.join(_BARE.values())}|go)\\b)", f"{wants} to ") for loves, wants in _WANTS),
+    # nobody is nothing else
+    ("\\b(not (?:want to |wish to )?(?:touch|(?:be |sit |stand |lie |sleep )(?:next to|near|beside|close to)))"
      f" {_ANYBODY}(?= |$)", "{1} anything"),
     (f"^({THING}) (?:do|does) not (?:want|like|let|allow) (?:{_ANYBODY}|any block|any other block|other blocks)(?: to)?"
-     f"(?: be| sit| stand| lie| climb| sleep| sitting| standing)? {_ATOP}$", "nothing may be on {1}"),
-    (f"^({THING}) (?:wants|likes|lets|allows) (?:nobody|no one|none|nothing)(?: to)?"
-     f"(?: be| sit| stand| lie| climb| sleep| sitting| standing)? {_ATOP}$", "nothing may be on {1}"),
-)
+     f"{_ATOP}$", "nothing may be on {1}"),
+    (f"^({THING}) (?:wants|likes|lets|allows) (?:nobody|no one|none|nothing)(?: to)?{_ATOP}$",
+     "nothing may be on {1}"),
+)  # fmt: skip
 """What they would like, and what they would not."""

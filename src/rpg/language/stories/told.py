@@ -6,11 +6,12 @@ from rpg.language import lexicon
 from rpg.language.grammar.rows.turned import Turns, turned
 from rpg.language.stories.doings import DOINGS, WISHES
 from rpg.language.stories.motives import MOTIVES
+from rpg.language.stories.roles import ROLES
 from rpg.language.stories.wardrobe import WARDROBE
 from rpg.language.tokens import Token
 from rpg.language.word_lists import listed
 
-_TURNS = Turns((*MOTIVES, *WISHES, *DOINGS, *WARDROBE))
+_TURNS = Turns((*MOTIVES, *WISHES, *DOINGS, *WARDROBE, *ROLES))
 
 
 _HONORED = listed("mr mrs ms miss mister madam sir lady lord doctor dr professor king queen prince princess captain "

@@ -39,7 +39,7 @@ _OF_ANOTHER = (
 _FEELS = (("is",), ("feels",), ("looks",), ("seems",), ("gets",))
 _HOW = frozenset({"so", "very", "really", "a", "bit", "little", "all", "always", "quite", "too"})
 _ALONE = TELLING_NOTHING | frozenset({
-    *FEELINGS, "cold", "alone", "lost", "ugly", "chipped", "sticky", "dirty", "dusty", "scratched", "worn", "fragile",
+    *FEELINGS, "cold", "lost", "ugly", "chipped", "sticky", "dirty", "dusty", "scratched", "worn", "fragile",
     "delicate", "valuable", "broken", "greasy", "slippery", "smelly", "antique", "rusty",
 })  # fmt: skip
 """What no block is."""

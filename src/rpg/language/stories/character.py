@@ -22,7 +22,7 @@ _CHARACTERS = listed("""
     adorable alert arrogant attentive bewitched bossy calm carefree careless charming chatty cheeky chic
     courageous cowardly cuddly cunning cute daring dignified diligent eccentric enchanted energetic enigmatic
     evil fearless feisty ferocious fierce friendly funny gallant gentle goofy grim hardworking haughty heroic
-    humble innocent invincible kind likeable lively lovable lucky magical mighty mischievous modest mysterious
+    humble innocent invincible likeable lively lovable lucky magical mighty mischievous modest mysterious
     nasty naughty noble noisy peaceful powerful quiet quirky restless selfish serene silent sly sneaky snobbish
     stealthy stubborn sweet talkative tame trustworthy trusty unlucky vain valiant venerable vigilant watchful
     wicked wild wise witty

@@ -1,5 +1,5 @@
 """What blocks do in a story, and would like to, as rows that say where they are: "takes a nap on" is sleeps on, "hops
-onto" is goes onto, "loves sitting on" is wants to sit on, "guards it from the left" is to the left of it."""
+onto" is goes onto, "refuses to sit on" is does not want to, "guards it from the left" is to the left of it."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ _WHERE = (
     "right|among|above|against|over there|there|side by side|at|to the (?:left|right))\\b)"
 )
 _WHITHER = (
-    f"(?={_HARD}(?:on|onto|upon|atop|to|into|under|underneath|next|beside|between|behind|in front|in between|left of|"
-    "right of)\\b)"
+    f"(?={_HARD}(?:on|onto|upon|atop|into|under|underneath|next|beside|between|behind|in front|in between|left of|"
+    "right of|to (?!the (?:left|right|top|front|back)(?! (?:half|corner|of)\\b)))\\b)"
 )
 _WILL = (
     "(?<=to )|(?<=must )|(?<=should )|(?<=shall )|(?<=will )|(?<=may )|(?<=can )|(?<=not )|(?<=and )|(?<=s )|"
@@ -93,23 +93,11 @@ DOINGS: tuple[Turn, ...] = (
 )  # fmt: skip
 """What they do."""
 
-_EAGER = "(?:eager|happy|glad|dying|keen on|fond of)"
+_EAGER = "(?:eager|happy|glad|dying|keen)"
 _GLADLY = "would (?:love|prefer|so like|really like)"
-_LOVES = (
-    "(?:longs|yearns|loves|likes|enjoys|prefers|insists on|decides|has decided|chooses|dreams of|hopes|wishes|begs|is "
-    f"{_EAGER}|{_GLADLY})"
-)
-_LOVE = (
-    "(?:long|yearn|love|like|enjoy|prefer|insist on|decide|have decided|choose|dream of|hope|wish|beg|are "
-    f"{_EAGER}|{_GLADLY})"
-)
-_AFRAID = "(?:too )?(?:afraid|scared|frightened|shy|proud)(?: of)?"
-_BEAR = "(?:stand|bear|like|tolerate)"
-_HATES = f"(?:hates|dislikes|detests|(?:can not|does not) {_BEAR}|refuses|(?:is|feels) {_AFRAID})"
-_HATE = f"(?:hate|dislike|detest|(?:can not|do not) {_BEAR}|refuse|(?:are|feel) {_AFRAID})"
-_BARE = {"sitting": "sit", "standing": "stand", "lying": "lie", "being": "be", "resting": "rest",
-         "sleeping": "sleep", "staying": "stay", "touching": "touch"}  # fmt: skip
-_WANTS = ((_LOVES, "wants"), (_LOVE, "want"), (_HATES, "does not want"), (_HATE, "do not want"))
+_LOVES = f"(?:longs|yearns|loves|prefers|decides|has decided|chooses|hopes|wishes|begs|is {_EAGER}|{_GLADLY})"
+_LOVE = f"(?:long|yearn|love|prefer|decide|have decided|choose|hope|wish|beg|are {_EAGER}|{_GLADLY})"
+_DOES = "(?:sit|stand|lie|be|rest|sleep|stay|touch|go)"
 _ANYBODY = "(?:anybody|anyone)(?: else)?"
 _ATOP = (
     "(?: be| sit| stand| lie| climb| sleep| sitting| standing)? (?:on top of (?:it|him|her)|on top|on (?:it|him|her)|"
@@ -117,8 +105,9 @@ _ATOP = (
 )
 
 WISHES: tuple[Turn, ...] = (
-    *((f"\\b{loves} {doing}\\b", f"{wants} to {plain}") for loves, wants in _WANTS for doing, plain in _BARE.items()),
-    *((f"\\b{loves} to (?=(?:{'|'.join(_BARE.values())}|go)\\b)", f"{wants} to ") for loves, wants in _WANTS),
+    *((f"\\b{loves} to (?={_DOES}\\b)", f"{wants} to ")
+      for loves, wants in ((_LOVES, "wants"), (_LOVE, "want"), ("refuses", "does not want"),
+                           ("refuse", "do not want"))),
     # nobody is nothing else
     ("\\b(not (?:want to |wish to )?(?:touch|(?:be |sit |stand |lie |sleep )(?:next to|near|beside|close to)))"
      f" {_ANYBODY}(?= |$)", "{1} anything"),

@@ -20,6 +20,7 @@ _WHITHER = (
 )
 _WILL = (
     "(?<=to )|(?<=must )|(?<=should )|(?<=shall )|(?<=will )|(?<=may )|(?<=can )|(?<=not )|(?<=and )|(?<=s )|"
+    "(?<=block )|(?<=cube )|(?<=one )|"
     f"(?<= [a-z] )|{'|'.join(f'(?<={color} )' for color in lexicon.COLORS)}"
 )
 """What stands before a verb that tells nobody's doing by its form, or several that do it."""

@@ -16,7 +16,7 @@ from rpg.language import harmless, lexicon
 from rpg.language.not_here import HINTS
 from rpg.language.smalltalk import is_strange, takes_back
 from rpg.language.spoken_leads import DET, PLACING, TESTS, bends, of_words, tells_nothing
-from rpg.language.telling import LAID_OUT, may_tell, may_tell_how, tells
+from rpg.language.telling import LAID_OUT, in_its_order, may_tell, may_tell_how, tells
 from rpg.language.tokens import Token
 from rpg.language.told_again import ordered_again, told_again
 from rpg.language.word_lists import listed
@@ -65,7 +65,8 @@ def clauses_left_out(tokens: Sequence[Token]) -> Iterator[tuple[list[Token], str
             yield from _without(tokens, begin, behind)
             continue
         for at in range(begin + 2, behind - 1):
-            if _lead(words[at:], (*_AIMS, *_OTHERS)) and only_talk(tokens[at:behind]):
+            ordered = in_its_order(words[at:behind], words[:at])
+            if _lead(words[at:], (*_AIMS, *_OTHERS)) and not ordered and only_talk(tokens[at:behind]):
                 yield from _without(tokens, at, behind)
                 break
 

@@ -10,7 +10,20 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from rpg.language import lexicon
-from rpg.language.nicknames import PLACES, ROLES, again, definite, labels, names_at, said, strange, thing_at
+from rpg.language.harmless import ANIMALS, PEOPLE
+from rpg.language.nicknames import (
+    PLACES,
+    ROLES,
+    again,
+    as_a_kind,
+    colored,
+    definite,
+    labels,
+    names_at,
+    said,
+    strange,
+    thing_at,
+)
 from rpg.language.phrases import length_at
 from rpg.language.tokens import Token
 
@@ -84,10 +97,15 @@ def _named_first(tokens: list[Token], words: list[str], at: int) -> Iterator[_Gl
     if not begin or begin >= len(words) or (bare and (words[begin] not in ("a", "an") or name == at)):
         return
     thing = thing_at(words, begin)
+    hue = mark == "(" and words[begin] in lexicon.COLOR and words[begin + 1 : begin + 2] == [")"]
+    if hue and words[end - 1] in PEOPLE | ANIMALS:  # no patch would be called so
+        told = [tokens[begin].saying("the"), tokens[begin], tokens[begin].saying("block")]
+        yield _Gloss(at, begin + 2, tokens[name:end], told, told)
+        return
     closed = words[thing : thing + 1] == [")"] if mark == "(" else thing == len(words) or words[thing] in _CLOSED
     if bare and (words[thing : thing + 2] == [",", "and"] or not _apposed(tokens, words, (at, name, end), thing)):
         return
-    if thing > begin and closed:
+    if thing > begin and closed and (not as_a_kind(tokens[name:end]) or colored(words[begin:thing])):
         told = definite(tokens[begin:thing])
         last = thing + (mark == "(" or words[thing : thing + 1] == [","])
         yield _Gloss(at, last, tokens[name:end], told, told)

@@ -11,7 +11,17 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from rpg.language import lexicon
-from rpg.language.nicknames import PLACES, labels, named_behind, names_at, said, thing_at, things_at
+from rpg.language.nicknames import (
+    PLACES,
+    as_a_kind,
+    colored,
+    labels,
+    named_behind,
+    names_at,
+    said,
+    thing_at,
+    things_at,
+)
 from rpg.language.phrases import length_at
 from rpg.language.tokens import Token
 
@@ -64,7 +74,7 @@ def with_names(tokens: list[Token]) -> tuple[list[Token], list[str]]:
     outside = set(range(len(words))) - {n for naming in found for n in range(naming.begin, naming.end)}
     used = [n for n, naming in enumerate(found) if any(_stands(tokens, words, at, name) for at in outside
             for name, _ in _forms(naming))]  # fmt: skip
-    if not used and not any(naming.behind for naming in found):
+    if not used and not any(naming.behind or as_a_kind(naming.name) for naming in found):
         return tokens, []
     out: list[Token] = []
     at = 0
@@ -110,9 +120,12 @@ def _named(tokens: list[Token], words: list[str], at: int, found: Sequence[_Nami
         thing = things_at(words, begin)
         if thing > begin and (thing == len(words) or words[thing] in _CLOSED) and not _listed(words, thing):
             own = begin + (words[begin] in _ARTICLES)
-            yield _Naming(at, thing, tokens[name:end], _look(tokens[own:thing]))
+            if not as_a_kind(tokens[name:end]) or colored(words[own:thing]):
+                yield _Naming(at, thing, tokens[name:end], _look(tokens[own:thing]))
         noun = _noun(words, name, end)
         if verb and labelled and noun and words[begin] in _LOOKS:
+            if as_a_kind(tokens[name:end]) and not colored(words[begin : begin + 1]):
+                continue
             closed = begin + 1 == len(words) or words[begin + 1] in _CLOSED
             if closed:
                 yield _Naming(at, begin + 1, tokens[name:end], [tokens[begin], tokens[name].saying(noun)])

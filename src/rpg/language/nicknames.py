@@ -9,6 +9,7 @@ from rpg.language import lexicon
 from rpg.language.harmless import ANIMALS, PEOPLE
 from rpg.language.not_here import HINTS
 from rpg.language.phrases import length_at
+from rpg.language.slips import slips_of
 from rpg.language.spelling import vocabulary
 from rpg.language.telling import may_tell, tells
 from rpg.language.tokens import Token
@@ -120,7 +121,9 @@ def names_at(tokens: list[Token], words: list[str], at: int) -> Iterator[tuple[i
     while called < len(tokens) and tokens[called].joined:
         called += 1
     further = called < len(tokens) and words[called] in ROLES | PLACES
-    if words[at] in ROLES and lexicon.BLOCK.get(words[called] if called < len(words) else "") is False:
+    if as_a_kind(tokens[at : at + 2]):
+        yield at + 2, True
+    elif words[at] in ROLES and lexicon.BLOCK.get(words[called] if called < len(words) else "") is False:
         yield called + 1, True
     elif words[at] in ROLES | PLACES or (further and (called > at + 1 or named_so(tokens[at]))):
         yield called + further, False
@@ -129,6 +132,17 @@ def names_at(tokens: list[Token], words: list[str], at: int) -> Iterator[tuple[i
         end += 1
     if end > at:
         yield end, False
+
+
+def as_a_kind(name: list[Token]) -> bool:
+    """ "The treasure cube": a name ahead of its noun. It may be a look, unless a colour is told besides."""
+    unknown = len(name) == 2 and strange(name[0]) and not slips_of(name[0].word)
+    return unknown and lexicon.BLOCK.get(name[1].word) is False
+
+
+def colored(words: list[str]) -> bool:
+    """Whether a colour is among some words."""
+    return any(word in lexicon.COLOR for word in words)
 
 
 def named_so(token: Token) -> bool:

@@ -20,7 +20,7 @@ from rpg.language.spelling import vocabulary
 from rpg.language.spoken_leads import judged, name_alone
 from rpg.language.spoken_wishes import led_by_form
 from rpg.language.talk_forms import addressed_at
-from rpg.language.telling import LAID_OUT, tells
+from rpg.language.telling import LAID_OUT, in_its_order, tells
 from rpg.language.tokens import Token
 from rpg.language.ways_of_working import way_of_working
 
@@ -210,7 +210,7 @@ def _ahead(tokens: list[Token], begin: int, end: int, sentence: int) -> tuple[in
 def _comparisons(tokens: list[Token]) -> Iterator[tuple[int, int]]:
     """Where "like taxis" stands, with the comma that sets it off."""
     words = [token.word for token in tokens]
-    plain = any(w in lexicon.STRUCTURE or w in _STACKED or t.kind == "dims" for w, t in zip(words, tokens, strict=True))
+    plain = any(w in lexicon.STRUCTURE or w in _PLAIN or t.kind == "dims" for w, t in zip(words, tokens, strict=True))
     if not plain and any(lexicon.BLOCK.get(word) for word in words):
         return
     for at in range(len(words)):
@@ -227,17 +227,30 @@ def _comparisons(tokens: list[Token]) -> Iterator[tuple[int, int]]:
 def _compared(tokens: list[Token], said: list[str]) -> bool:
     """Whether this is nothing of which tasks are made, but something of daily life or that is not known; a figure that
     was said before may be named again, "a circle of ..., like the kids in our circle"."""
+    words = [token.word for token in tokens]
+    if tuple(words) in _SAYINGS:
+        return True
+    if in_its_order(words, said):
+        return False
     strange = any(t.word not in vocabulary() or t.word in PEOPLE | ANIMALS | OCCASIONS | THINGS for t in tokens)
-    again = {token for ahead, token in pairwise(tokens) if token.word in lexicon.STRUCTURE.keys() & {*said}
+    lined = {"row", "line"} if not _LINED.isdisjoint(said) else set()
+    again = {token for ahead, token in pairwise(tokens) if token.word in (lexicon.STRUCTURE.keys() & {*said}) | lined
              and ahead.word in vocabulary() | OCCASIONS}  # fmt: skip
     symbols = any(word.isdigit() or word in lexicon.DIGIT or word in lexicon.LETTER for word in said)
     laid_out = symbols and any(token.word in LAID_OUT for token in tokens)
     return strange and not laid_out and not any(tells(token) and token not in again for token in tokens)
 
 
+_SAYINGS = frozenset({("a", "full", "stop"), ("an", "exclamation", "mark"), ("the", "icing", "on", "the", "cake"),
+                      ("the", "cherry", "on", "the", "cake"), ("a", "cherry", "on", "a", "cake"),
+                      ("the", "cherry", "on", "top"), ("a", "cherry", "on", "top")})  # fmt: skip
+"""Like what something comes at an end or on top, in words that mean something else."""
+_LINED = frozenset({"row", "line", "lined"})
 _LIKING = frozenset({"would", "i", "we", "you", "they", "do", "does", "not", "to", "and", "or"})
 """Behind these "like" is what somebody does."""
-_STACKED = frozenset({"stack", "stacked", "stacking", "line", "lined", "shape", "shaped"})
+_PLAIN = frozenset({"stack", "stacked", "stacking", "line", "lined", "shape", "shaped", "together", "beside", "between",
+                    "middle", "corner", "around"})  # fmt: skip
+"""With these it is told how blocks lie."""
 
 
 def _in_brackets(tokens: list[Token]) -> Iterator[tuple[int, int]]:

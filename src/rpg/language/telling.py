@@ -47,6 +47,17 @@ _OF_BLOCKS = listed(
 LAID_OUT = listed("phone telephone keypad keypads calculator numpad keyboard dice die domino dominoes clock calendar")
 """What has its symbols in a certain order: "like on a phone" is no talk."""
 
+_COLORED = listed("traffic flag flags zebra bee bees bumblebee wasp tiger skunk lighthouse candy pole piano sandwich "
+                  "burger hamburger oreo watermelon rainbow sunset sunrise caterpillar football")  # fmt: skip
+"""What has its colours in an order of its own."""
+_ORDER_TOLD = listed("top bottom under below over above on then order first last left right alternating alternately")
+
+
+def in_its_order(words: Collection[str], said: Collection[str]) -> bool:
+    """Whether what blocks are like tells in which order their colours come, and nothing else that was said does."""
+    several = len({lexicon.COLOR[word] for word in said if word in lexicon.COLOR}) > 1
+    return several and not _COLORED.isdisjoint(words) and _ORDER_TOLD.isdisjoint(said)
+
 
 SHAPES = listed(
     "zig zag zigzags spirals hexagon pentagon octagon heptagon polygon rhombus arc arch semicircle crescent helix "

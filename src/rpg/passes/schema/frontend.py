@@ -41,6 +41,7 @@ from rpg.language.praise import without_praise
 from rpg.language.remarks import without_remarks
 from rpg.language.spelling import read_words
 from rpg.language.spliced import in_one_sentence, in_sentences, ordered_behind, run_together, stock_last
+from rpg.language.stories.told import as_a_story
 from rpg.language.titles import title, untitled
 from rpg.language.tokens import Stray, Token, tokenize
 from rpg.passes.schema.ambiguity import TwoReadings, same
@@ -307,7 +308,7 @@ _CANNOT_BOTH_BE = frozenset({"contradiction", "support-cycle", "self-reference"}
 """Why a text is refused of which the first part may be so at the start alone."""
 _PLAINER: tuple[Callable[[list[Token]], tuple[list[Token], list[str]]], ...] = (
     with_names, without_names, with_figures, with_color_classes, without_glosses, without_feelings, in_centimetres,
-    with_colors, with_kinds, without_materials, without_praise,
+    with_colors, with_kinds, without_materials, without_praise, as_a_story,
 )  # fmt: skip
 """What is put in plain words before the words are looked up, each with notes of what it meant."""
 _OTHERWISE: tuple[Callable[[list[Token]], list[Token] | None], ...] = (

@@ -85,6 +85,9 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     # "the pink block it should sit on the purple one"
     (f"^(?:so |well |now )?(the (?:\\w+ )?(?:block|cube|one))(?: ,)? it (?={MUST}\\b|goes|sits|belongs)", "{1} "),
     ("^(can|could) you like (?=[a-z])", "{1} you"),
+    # "and a black one at the end": of the row
+    (f"^((?:make |build |form )?an? (?:row|line) of {MANY} [^,:]+?)(?: ,)? and (an? (?:{COLOR} )?(?:block|cube|one)) "
+     "at the end$", "{1} with {2} at the end"),
     # which of them it is
     (f"^(?:(put|make|set|place|have) )?(the two (?:blocks|cubes)) ([^,]+?) , the ({COLOR})(?: one)? and (?:the "
      f")?({COLOR})(?: one| block| cube)?$", "{1} the {4} and the {5} block {3}"),

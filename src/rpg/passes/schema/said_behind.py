@@ -120,7 +120,9 @@ def _aslant(sentence: Sequence[Token]) -> None:
                      (sentence[0].span[0], sentence[-1].span[1]), "say how far apart they are")  # fmt: skip
 
 
-_LISTED_FROM = re.compile(r"\bfrom (?:the )?(?:left|right|top|bottom|front|back)(?: to (?:the )?\w+)? :")
+_LISTED_FROM = re.compile(
+    r"(?:\bfrom (?:the )?(?:left|right|top|bottom)|(?<!\brows )\bfrom (?:the )?(?:front|back))(?: to (?:the )?\w+)? :"
+)
 
 
 def _listed_from(sentence: Sequence[Token], task: TaskSchema) -> None:

@@ -40,6 +40,7 @@ from rpg.language.grammar.rows.in_conversation import IN_CONVERSATION, TOLD_OF_B
 from rpg.language.grammar.rows.in_steps import IN_STEPS
 from rpg.language.grammar.rows.in_writing import IN_WRITING
 from rpg.language.grammar.rows.kept_and_moved import FALLEN, KEPT_AND_MOVED, KEPT_AT_ONCE
+from rpg.language.grammar.rows.kinds_in_rows import KINDS_IN_ROWS
 from rpg.language.grammar.rows.labels_counted import labels_counted
 from rpg.language.grammar.rows.labels_there import LABELS_THERE
 from rpg.language.grammar.rows.leave_to_move import leave_to_move
@@ -130,6 +131,7 @@ _OF_ALL = (
     *SPACED_AT_ONCE,
     *SUMS_AT_ONCE,
     *TWO_ROWS_AT_ONCE,
+    *KINDS_IN_ROWS,
     *DISTANCES_AT_ONCE,
     *AROUND_AT_ONCE,
     *LOTS_AT_ONCE,

@@ -63,10 +63,11 @@ def _at_side(side: str) -> list[Pattern]:
             "camera)))?"] if side == "back" else []),
     )  # fmt: skip
 
+
 NEIGHBORS = (
     "(?:with )?(?:its|both its|the) (?:2 |immediate |direct |both )*neighbors(?: on (?:both|either|each) sides?)?(?= "
-    "(?:BE|COLOR) )(?: BE)?|(?:the )?(?:2|ones|BLOCK|2 ones|2 BLOCK) (?:right |immediately |directly )?(?:next to|beside) "
-    "it(?: on (?:both|either|each) sides?)?(?= (?:BE|COLOR) )(?: BE)?"
+    "(?:BE|COLOR) )(?: BE)?|(?:the )?(?:2|ones|BLOCK|2 ones|2 BLOCK) (?:right |immediately |directly )?"
+    "(?:next to|beside) it(?: on (?:both|either|each) sides?)?(?= (?:BE|COLOR) )(?: BE)?"
 )
 """Those to both sides of what was told of."""
 

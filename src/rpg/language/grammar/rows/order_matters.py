@@ -11,7 +11,8 @@ _BINDS = (
 ORDER_BINDS = f"(?:the |their |this |that )?order {_BINDS}(?: here| to me| to us| though)?"
 _TELL = "(?:list|listed|name|named|mention|mentioned|give|gave|given|say|said|tell|told|wrote|written|stated|typed)"
 _AS_TOLD = (
-    "in (?:exactly |precisely |just )?(?:the|this) (?:exact |same |very )?order (?:(?:(?:in which|as|that|in that|how) )?"
+    "in (?:exactly |precisely |just )?(?:the|this) (?:exact |same |very )?order "
+    "(?:(?:(?:in which|as|that|in that|how) )?"
     f"(?:they|i|we|you|these)(?: have| are| were| had)?(?: just| all)? {_TELL}|as {_TELL}|{_TELL})(?: them| these)?"
     "(?: here| above| just now)?(?= ,| :| from | with |$)"
 )
@@ -27,8 +28,8 @@ ORDER_MATTERS_AT_ONCE: tuple[Turn, ...] = (
     (f"^{ORDER_BINDS} [:,] (.+)$", "{1} , in that order"),
     (_AS_TOLD, "in the order given"),
     ("\\bin the (?:listed|stated|mentioned|named|specified) order(?= ,| from |$)", "in the order given"),
-    *((f"\\b(in (?:this|that) order|in the order given)(?: ,)? (?:with )?(?:the )?(?:{most}|{end})(?: one| block| cube)? "
-       "first$", f"{{1}} {way}") for end, most, way in _ENDS),
+    *((f"\\b(in (?:this|that) order|in the order given)(?: ,)? (?:with )?(?:the )?(?:{most}|{end})(?: one| block| "
+       "cube)? first$", f"{{1}} {way}") for end, most, way in _ENDS),
     (f"(?<=\\S)(?: ,| -)? {_FREE}(?: ,)? (?:except|but|only|just|apart from the fact|other than)(?: that)? (?={_FACT})",
      " , in any order , but "),
     ("(?: , but| ,| but)(?: just| only)? not ((?:the )?\\w+(?: block| cube| one)?) (on top|at the (?:bottom|top)|first|"

@@ -200,6 +200,8 @@ PLAIN_TALK_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b(halfway |midway |exactly |right |in )?between the (left|right|{COLOR}) and (?:the )?(left|right|{COLOR}) "
      f"{PATCH}$",
      "{1} between the {2} patch and the {3} patch"),
+    ("^(?:align|line up) ([^.:;]*?(?:\\b(?:and|them|all)\\b|s\\b)[^.:;]*?) (?:with|along|to|at) "
+     "(the (?:near|far|left|right|front|back) edge of the table)$", "put {1} in a line along {2}"),
     ("^(?:align|line up) ([^,]+?) (?:with|along|to|at) (the (?:near|far|left|right|front|back) edge of the table)$",
      "put {1} at {2}"),
     # which board

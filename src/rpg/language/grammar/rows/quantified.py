@@ -55,7 +55,7 @@ EACH_THERE: tuple[Turn, ...] = (
     (f"^in (?:an?|the) ({LINE}) (?:of|with|made of|from) ({MANY} {COLOR}(?: (?:,|and) {MANY} {COLOR})*(?: {_BLOCKS})?)"
      f"(?: ,)? ((?:no|neither|none) .+|(?:the|an?) .+? (?:{MUST}|may|can) (?:not|never) .+)$",
      "make a {1} of {2} . {3}"),
-    (f"^((?:every|each|all(?: of)?(?: the)?|the) (?:letters?|numbers?|digits?|{_BLOCKS[3:-1]}|block|cube)) (?:in|of) the "
+    (f"^((?:every|each|all(?: of)?(?: the)?|the) (?:letters?|numbers?|digits?|blocks?|cubes?|ones)) (?:in|of) the "
      f"({LINE}) {_LISTED}(?: ,)? ((?:{MUST}|is|are) .+)$", "there must be a {2} {3} . {1} {4}"),
     (f"^in the ({LINE}) {_LISTED}(?: ,)? ((?:every|each|all|the) .+)$", "there must be a {1} {2} . {3}"),
     # no two alike

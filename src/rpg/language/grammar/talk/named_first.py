@@ -17,15 +17,24 @@ _SOMEBODY = {
     "whose": ("my|our|her|his|their|your",),
     "who": ("<whose>|the little|big|older|younger|youngest|oldest|best|new|first? <folk>",),
     "folk": ("|".join(sorted(harmless.PEOPLE | harmless.ANIMALS)),),
-    "name": ("<whose> first|full|own? name|nickname", "<who> 's first|full? name|nickname", "the name|nickname of <who>"),
+    "name": (
+        "<whose> first|full|own? name|nickname",
+        "<who> 's first|full? name|nickname",
+        "the name|nickname of <who>",
+    ),
 }
 _CLASSES = Classes(_SOMEBODY)
 _NAMED = Patterns("<name>", "<whose> word", "that|the name", classes=_CLASSES)
 _IT = Patterns("it|that|this", "that|this|the name|word", "<whose> word", "<name>", classes=_CLASSES)
-_TELLS = Patterns("<name> is", "the word|name is", "<who>|he|she is called|named", "i am called|named", classes=_CLASSES)
+_TELLS = Patterns(
+    "<name> is", "the word|name is", "<who>|he|she is called|named", "i am called|named", classes=_CLASSES
+)
 _ANSWERS = Patterns("it|that|this|which is", "so it is", classes=_CLASSES)
-_ASKS = Patterns("spell|write|show|print|type|lay|put|place|make|build|form out|down|up? <name>", "spell|write|lay|show|"
-                 "make|build|form out|down? a|the|my|our|this|one? following? word|name", classes=_CLASSES)
+_ASKS = Patterns(
+    "spell|write|show|print|type|lay|put|place|make|build|form out|down|up? <name>",
+    "spell|write|lay|show|make|build|form out|down? a|the|my|our|this|one? following? word|name",
+    classes=_CLASSES,
+)
 _MARKS = frozenset({",", ":", "-"})
 _SHOWN = frozenset({"literal", "quote"})
 """Kinds of words to be spelt."""

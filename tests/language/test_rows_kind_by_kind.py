@@ -45,7 +45,7 @@ def test_so_many_in_each_row():
     [
         "Three rows from front to back: two red blocks, three green blocks, four blue blocks.",
         "A red row of two. Behind it a green row of three. Behind that a blue row of four.",
-        "A row of four blue blocks, in front of it a row of three green ones and in front of that a row of two red ones.",
+        "A row of four blue blocks, in front of it a row of three green ones, in front of that a row of two red ones.",
     ],
 )
 def test_three_rows_one_behind_the_other(text):

@@ -5,8 +5,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from rpg.language import harmless
 from rpg.language.grammar.core import Parser
+from rpg.language.grammar.talk.people import PEOPLE
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.phrases import Classes
 from rpg.language.tokens import Token
@@ -16,7 +16,7 @@ _SPELL = frozenset({"spell", "write", "show", "build", "make", "form"})
 _SOMEBODY = {
     "whose": ("my|our|her|his|their|your",),
     "who": ("<whose>|the little|big|older|younger|youngest|oldest|best|new|first? <folk>",),
-    "folk": ("|".join(sorted(harmless.PEOPLE | harmless.ANIMALS)),),
+    "folk": (f"{PEOPLE}|baby|boy|girl|cat|dog|hamster|pet|doll|teddy",),
     "name": (
         "<whose> first|full|own? name|nickname",
         "<who> 's first|full? name|nickname",

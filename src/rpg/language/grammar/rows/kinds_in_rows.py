@@ -34,8 +34,8 @@ _KIND = (
 )
 _INTO = (
     f"(?=.*\\brows?\\b)(?!(?:two|2) rows(?: ,| :| with)+ (?:the )?{COLOR}\\b)"
-    "(?:(?:(?:arrange|put|place|set|lay|line up) (?:them|these|it|all of them|the (?:blocks|cubes)|everything) (?:up )?)?"
-    "(?:(?:in|into|as) )?(?:two|2) rows(?: ,| :| with)+ )?(?:put |place |arrange |line up )?"
+    "(?:(?:(?:arrange|put|place|set|lay|line up) (?:them|these|it|all of them|the (?:blocks|cubes)|everything) (?:up "
+    ")?)?(?:(?:in|into|as) )?(?:two|2) rows(?: ,| :| with)+ )?(?:put |place |arrange |line up )?"
 )
 _ARE = f"(?: (?:{MUST} )?(?:be|is|are|go|goes|stand|come|belong))?"
 _FRONTMOST = f"{_ARE} (?:in|into|as|on|at)(?: the)? (?:front|near)(?: row| one)?"

@@ -132,6 +132,8 @@ TWO_ROWS_AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:{_WRITE} )?{_WORD} (?:on|in) the (?:first|upper|top) line{_AND}{_WORD} (?:on|in) the (?:second|lower|bottom|"
      "next) line$",
      "write {1} in the far row and {2} in the near row"),
+    (f"^(?:write|spell) (?:the words )?{_THE_WORD} {_THE_WORD} (?:in|on|as|over) (?:two|2) (?:rows|lines)$",
+     "write {1} in the far row and {2} in the near row"),
     # rows
     (f"^{_ROWS}the {_END} row {_SHOWS} {_LISTED}{_AND}the {_END} (?:row|one) {_SHOWS} {_LISTED}$",
      "{1} row : {2} ; {3} row : {4}"),

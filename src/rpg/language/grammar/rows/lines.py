@@ -108,7 +108,8 @@ LINES_IN_SHORT: tuple[Turn, ...] = (
      "put the letters {1} in a row in this order from left to right"),
     *((f"^(?:an? )?(row|line) of ({MANY})(?: blocks| cubes)?(?: ,| :| where| in which)* (?:every|each) (?:second|"
        f"other)(?: one| block| cube)?(?: is| being)? ({COLOR}){_JOINT} (?:the )?(?:others?|rest|other ones)(?: are|"
-       f" is)? ({COLOR}){_JOINT} {begun}$", f"a {{1}} of {{2}} blocks alternating {{3}} and {{4}} , starting with {said}")
+       f" is)? ({COLOR}){_JOINT} {begun}$",
+       f"a {{1}} of {{2}} blocks alternating {{3}} and {{4}} , starting with {said}")
       for begun, said in ((f"(?:it )?(?:starts|starting|beginning|begins) with (?:a |the )?({COLOR})(?: one| block)?",
                            "{5}"),
                           (f"({COLOR}) (?:first|comes first|is first)", "{5}"),

@@ -20,6 +20,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import STOPS, sentences
 from rpg.language.tokens import Token
 from rpg.passes.schema.brought_in import check_brought_in
+from rpg.passes.schema.ends_of_which import check_ends_of_which
 from rpg.passes.schema.line_told import check_lines
 from rpg.passes.schema.mats_listed import check_mat_or_block, check_mats_listed
 from rpg.passes.schema.modifiers_had import check_modifiers
@@ -55,6 +56,7 @@ def check_behind(tokens: list[Token], task: TaskSchema) -> None:
         _aslant(sentence)
         _in_different_colors(sentence, task)
     _one_way(tokens, task)
+    check_ends_of_which(tokens)
     check_lines(tokens, task)
     check_pyramid(tokens, task)
     check_said_of_all(tokens, task)
@@ -120,7 +122,9 @@ def _aslant(sentence: Sequence[Token]) -> None:
                      (sentence[0].span[0], sentence[-1].span[1]), "say how far apart they are")  # fmt: skip
 
 
-_LISTED_FROM = re.compile(r"\bfrom (?:the )?(?:left|right|top|bottom|front|back)(?: to (?:the )?\w+)? :")
+_LISTED_FROM = re.compile(
+    r"(?:\bfrom (?:the )?(?:left|right|top|bottom)|(?<!\brows )\bfrom (?:the )?(?:front|back))(?: to (?:the )?\w+)? :"
+)
 
 
 def _listed_from(sentence: Sequence[Token], task: TaskSchema) -> None:

@@ -11,8 +11,11 @@ from rpg.language.frames.lots import Lot, counted
 from rpg.language.frames.pieces import Unclear
 
 
-def facts_of(said: Said, lots: list[Lot], size: int | None, pattern: str) -> tuple[list[Lot], list[Fact]]:
+def facts_of(
+    said: Said, lots: list[Lot], size: int | None, pattern: str, others: bool = False
+) -> tuple[list[Lot], list[Fact]]:
     """All lots, those told only with their place among them, and what is told of places: see `arranged.filled`.
+    `others`: the only lot without a place is told as "the other four", so that those with one are no part of it.
 
     Raises:
         Unclear: it is not told how many blocks are at a place, or whether they are among the blocks told before.
@@ -34,7 +37,7 @@ def facts_of(said: Said, lots: list[Lot], size: int | None, pattern: str) -> tup
         if same is None:
             added[lot.look] += many
         facts.append((name, nth, lot.look, many))
-    if besides and size != sum(lot.count or 0 for lot in lots) + added.total():
+    if besides and not others and size != sum(lot.count or 0 for lot in lots) + added.total():
         raise Unclear  # "three orange blocks, white on the left", but not "a row of four: ..."
     return [*lots, *(Lot(look, many) for look, many in added.items())], facts
 

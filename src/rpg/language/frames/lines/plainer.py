@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 from rpg.language.frames.lines.places import STOPS
 from rpg.language.frames.pieces import Pattern, Piece, Unclear, patterns
@@ -34,12 +35,14 @@ BEFORE: list[Pattern] = [
 ]  # fmt: skip
 """Kind "before": the blocks ahead of it are to one side of those behind it; the direction in which they are listed."""
 _OF_IT = re.compile(r"(?:left|right)(?: hand)?(?: side)? of|its (?:left|right)")
+_BESIDE_IT = re.compile(r"neighbors|(?:next to|beside) it")
 _FIRST = re.compile(r"(?:(?:to )?(?:start|begin|open)\w*(?: off)?(?: with)?|first)$")
 _LAST = re.compile(r"(?:(?:to )?(?:end|finish|clos)\w*(?: up| off)?(?: with| in| by)?|last)$")
 
 
 def check_about_middle(pieces: Sequence[Piece], size: int, told: int) -> None:
-    """Blocks to the left and right "of it" are beside the block in the middle, and with it all that there are.
+    """Blocks to the left and right "of it" are beside the block in the middle, and with it all that there are; "its
+    neighbors" are those of the block in the middle.
 
     Raises:
         Unclear: they are not.
@@ -47,6 +50,10 @@ def check_about_middle(pieces: Sequence[Piece], size: int, told: int) -> None:
     about = any(piece.kind == "place" and _OF_IT.search(piece.words) for piece in pieces)
     if about and (size != told or all(piece.value != ("middle", 0) for piece in pieces)):
         raise Unclear
+    places = [piece for piece in pieces if piece.kind == "place"]
+    for before, piece in pairwise([Piece("place", ""), *places]):
+        if _BESIDE_IT.search(piece.words) and before.value != ("middle", 0):
+            raise Unclear
 
 
 def repeated(pieces: Sequence[Piece], order: list[str] | None, size: int | None) -> list[str] | None:
@@ -64,6 +71,20 @@ def repeated(pieces: Sequence[Piece], order: list[str] | None, size: int | None)
             raise Unclear
         return order
     return order * (size // len(order))
+
+
+def of_line(pieces: Sequence[Piece]) -> list[Piece]:
+    """The pieces with the line spoken of behind a place, "the leftmost block of the row", where it is told how many
+    blocks it has: there may be more than those that have a place."""
+    found: list[Piece] = []
+    counted = any(piece.kind == "total" or (piece.kind == "rest" and piece.named) for piece in pieces)
+    for piece in pieces:
+        of = _OF_LINE.search(piece.words) if counted and piece.kind == "place" else None
+        found += [piece, *([Piece("mention", of[0], of[1])] if of else [])]
+    return found
+
+
+_OF_LINE = re.compile(r"\bof the (?:whole |entire )?(row|line|column)(?: \w+){0,2}$")
 
 
 def singly(pieces: Sequence[Piece]) -> list[Piece]:

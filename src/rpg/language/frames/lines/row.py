@@ -43,7 +43,7 @@ def told(pieces: Sequence[Piece]) -> str:
         Unclear: it is not told which blocks it is made of, or what is told of their order leaves it open.
     """
     pieces, more = without_appended(pieces)
-    pieces = rowsizes.sized(rowplainer.listed(rowplainer.beforehand(rowplainer.singly(pieces))))
+    pieces = rowsizes.sized(rowplainer.listed(rowplainer.beforehand(rowplainer.singly(rowplainer.of_line(pieces)))))
     check_lots(pieces)
     check_words(pieces)
     check_told_once(pieces)
@@ -78,7 +78,8 @@ def told(pieces: Sequence[Piece]) -> str:
         row.facts = facts_of_listed(said, row.counts)
     else:
         lots = [lot for run in said.lists for lot in run]
-        lots, row.facts = facts_of(said, lots, size, pattern)
+        others = len(lots) == 1 and any(piece.kind == "rest" and piece.named for piece in pieces)
+        lots, row.facts = facts_of(said, lots, size, pattern, others)
         row.counts = Counter({lot.look: lot.count for lot in numbered(lots, said, size, pattern, open_rest)})
         row.size = size or 0
     check_rest(pieces, row.counts)

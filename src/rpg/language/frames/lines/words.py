@@ -64,6 +64,13 @@ def _at_side(side: str) -> list[Pattern]:
     )  # fmt: skip
 
 
+NEIGHBORS = (
+    "(?:with )?(?:its|both its|the) (?:2 |immediate |direct |both )*neighbors(?: on (?:both|either|each) sides?)?(?= "
+    "(?:BE|COLOR) )(?: BE)?|(?:the )?(?:2|ones|BLOCK|2 ones|2 BLOCK) (?:right |immediately |directly )?"
+    "(?:next to|beside) it(?: on (?:both|either|each) sides?)?(?= (?:BE|COLOR) )(?: BE)?"
+)
+"""Those to both sides of what was told of."""
+
 PLACES: list[Pattern] = [
     *(pattern for side in _SIDES for pattern in _at_side(side)),
     *patterns("place", lambda match: (_side(match["side"]), _nth(match["nth"])),
@@ -111,6 +118,7 @@ PLACES: list[Pattern] = [
     *patterns("place", ("ends", 0),
         f"(?:BE )?(?:placed )?(?:at|on|in|form|forming|as) (?:both|the|its|the 2|both the|both of its|both of the|"
         f"the outer|the opposite|opposite)(?: 2| outer| outer 2)? ends{_OF_IT}?",
+        f"(?:the )?(?:ones|2|2 ones|BLOCK|2 BLOCK) (?:at|on|in) (?:the|both|the 2|its|both the) ends{_OF_IT}?(?: BE)?",
         f"(?:at |on )?(?:with )?(?:both|the|its|the 2|the outer|both of the|both of its) (?:ends|end blocks|end "
         f"cubes|outer ones|outer BLOCK){_OF_IT}?(?: BE(?: both)?)?", "(?:BE )?(?:on|at|to) the "
         "outsides?", "(?:BE )?(?:on the )?outside(?= (?:[,.;)]|and|$))", "(?:the )?outer (?:2|ones|BLOCK|2 "
@@ -136,7 +144,7 @@ PLACES: list[Pattern] = [
         "(?:BE )?(?:(?:on|at|to) )?(?:each|either|both|every)(?: one)?(?: of (?:its|the 2|the))? sides?(?: of "
         "(?:it|that|"
         "them))?", "(?:BE )?(?:to the )?left and right of (?:it|that)", "(?:BE )?to (?:its|the) left and (?:to "
-        ")?(?:its )?right"),
+        ")?(?:its )?right", NEIGHBORS),
 ]  # fmt: skip
 """Kind "place": a name and a number from there: ("left", 2) is the second from the left; ("first", 1) as it is read;
 ("middle", 0), ("ends", 0), ("sides", 0) of what is in the middle, ("end", 0) one of the ends, ("other", 0) the other

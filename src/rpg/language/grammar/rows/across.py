@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from rpg.language.grammar.rows.begun import HEAP
 from rpg.language.grammar.rows.contrasted import WRONG_WAY_ROUND
+from rpg.language.grammar.rows.kinds_in_rows import ROWS_HAVE
 from rpg.language.grammar.rows.said_short import PLACE, THING
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.two_rows import WORDS_IN_ROWS
@@ -72,6 +73,7 @@ ACROSS: tuple[Turn, ...] = (
     (f"{_TIDY}(?:the|my|our) (?:{CUBE}s|letters|digits|numbers|toys){_FOR}", ""),
     *WRONG_WAY_ROUND,
     *WORDS_IN_ROWS,
+    *ROWS_HAVE,
     ("\\b(in two rows) \\. (?=[^.]* in the (?:back|front|far|near|first|second) row\\b)", "{1} : "),
     # "one mat is blue, the other is white"
     (f"^(.*\\btwo {PATCHES}) \\. {_of_two(PATCH, PATCHES)}", "{1} , one is {2} , the other is {3}"),

@@ -280,9 +280,9 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     (f"\\bleave (?:a bit of |a little |some )?(?:space|room) between ({THING}) and ({THING})(?: ,)? (?:say |about "
      ")?(?:the width of (?:a|one) block|(?:a|one) block wide|as wide as (?:a|one) block)$",
      "there must be a gap of one block between {1} and {2}"),
-    (f"\\b(tower|stack|row|line|circle|column) (?:with|of|from|out of) (?:just |exactly )?as many ({COLOR})(?: "
-     f"{_BLOCKS})? as ({COLOR})(?: {_BLOCKS})?(?: ,| :) ({MANY})(?: {_BLOCKS})? (?:in total|in all|altogether|"
-     "overall)$",
+    (f"\\b(tower|stack|row|line|circle|column) (?:with|of|from|out of) (?:just |exactly )?(?:as many|(?:the same|an "
+     f"equal) number of) ({COLOR})(?: {_BLOCKS})? (?:as|and) ({COLOR})(?: {_BLOCKS})?(?: ,| :) ({MANY})(?: {_BLOCKS})? "
+     "(?:in total|in all|altogether|overall)$",
      "{1} of {4} blocks , half of them {2} and half of them {3}"),
     (f"^(?:pair up|pair) (?:the (?:blocks|cubes)|them)(?: ,| :)? ({COLOR}) (?:with|and) ({COLOR})(?: ,| and| , and)+ "
      f"({COLOR}) (?:with|and) ({COLOR})$", "put {1} next to {2} and {3} next to {4}"),

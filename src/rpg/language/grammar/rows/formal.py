@@ -40,6 +40,7 @@ from rpg.language.grammar.rows.in_conversation import IN_CONVERSATION, TOLD_OF_B
 from rpg.language.grammar.rows.in_steps import IN_STEPS
 from rpg.language.grammar.rows.in_writing import IN_WRITING
 from rpg.language.grammar.rows.kept_and_moved import FALLEN, KEPT_AND_MOVED, KEPT_AT_ONCE
+from rpg.language.grammar.rows.kinds_in_rows import KINDS_IN_ROWS
 from rpg.language.grammar.rows.labels_counted import labels_counted
 from rpg.language.grammar.rows.labels_there import LABELS_THERE
 from rpg.language.grammar.rows.leave_to_move import leave_to_move
@@ -77,6 +78,7 @@ from rpg.language.grammar.rows.related import RELATED, RELATED_AT_ONCE
 from rpg.language.grammar.rows.result_told import result_told
 from rpg.language.grammar.rows.reworded import REWORDED, REWORDED_AT_ONCE
 from rpg.language.grammar.rows.roundabout import ROUNDABOUT, ROUNDABOUT_AT_ONCE
+from rpg.language.grammar.rows.row_edited import row_edited
 from rpg.language.grammar.rows.row_places import told_by_places
 from rpg.language.grammar.rows.said_again import SAID_AGAIN
 from rpg.language.grammar.rows.said_short import SHORT, SHORT_AT_ONCE
@@ -130,6 +132,7 @@ _OF_ALL = (
     *SPACED_AT_ONCE,
     *SUMS_AT_ONCE,
     *TWO_ROWS_AT_ONCE,
+    *KINDS_IN_ROWS,
     *DISTANCES_AT_ONCE,
     *AROUND_AT_ONCE,
     *LOTS_AT_ONCE,
@@ -301,7 +304,7 @@ _CHANGES = (
     swapped_over, result_told, palindromes, one_more, all_sides, around_named, some_of_the_letters, row_with_ends,
     other_end_named, rows_by_number, told_by_places, _steps_told, _one_of_each, of_each_color, corners_again,
     not_at_end, of_the_figure, word_again, range_but, not_consecutive, so_many_inside, so_many_on_each,
-    others_elsewhere, others_counted, word_of_letters, leave_to_move, listed_of_all,
+    others_elsewhere, others_counted, word_of_letters, leave_to_move, listed_of_all, row_edited,
 )  # fmt: skip
 """What is told otherwise before the rows are looked for, in this order."""
 

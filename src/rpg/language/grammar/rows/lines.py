@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from rpg.language.grammar.rows.said_short import LABEL
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, END, FEW, MUST, WAY
+from rpg.language.grammar.rows.vocabulary import COLOR, END, FEW, MANY, MUST, WAY
 
 _DO = "(?:put|place|lay|arrange|line|stack|sort|order|set|pile|build|make|bring|move)"
 _ROW_OR_LINE = "(?:row|line)"
@@ -100,7 +100,24 @@ def _between_ends() -> tuple[Turn, ...]:
 
 _OUTERS = "(?:(?:each|both) (?:of )?)?(?:the )?(?:two )?outer (?:ones?|blocks?|cubes?)"
 
+_JOINT = "(?: ,| and| , and| ;)+"
+LINES_IN_SHORT: tuple[Turn, ...] = (
+    ("\\b(?:with )?(?:an? )?(?:gaps?|spacing)(?: of| :| =| is)? (?:0|zero)(?: cm| mm)?(?= ,|$)", "without gaps"),
+    ("^(?:please )?(?:spell|write|lay|lay out|show)(?: out)? (?:my|our|his|her|the|their) initials(?: ,| :)? "
+     "((?:\\w (?:, and |, |and ))+\\w)(?: in a row)?(?: from left to right)?$",
+     "put the letters {1} in a row in this order from left to right"),
+    *((f"^(?:an? )?(row|line) of ({MANY})(?: blocks| cubes)?(?: ,| :| where| in which)* (?:every|each) (?:second|"
+       f"other)(?: one| block| cube)?(?: is| being)? ({COLOR}){_JOINT} (?:the )?(?:others?|rest|other ones)(?: are|"
+       f" is)? ({COLOR}){_JOINT} {begun}$",
+       f"a {{1}} of {{2}} blocks alternating {{3}} and {{4}} , starting with {said}")
+      for begun, said in ((f"(?:it )?(?:starts|starting|beginning|begins) with (?:a |the )?({COLOR})(?: one| block)?",
+                           "{5}"),
+                          (f"({COLOR}) (?:first|comes first|is first)", "{5}"),
+                          ("(?:starting|beginning) with the first(?: one| block)?", "{3}"))),
+)  # fmt: skip
+"""Lines told in few words: every second block, gaps of nothing, initials."""
 LINED_AT_ONCE: tuple[Turn, ...] = (
+    *LINES_IN_SHORT,
     # which of several that are in a line
     (f"^({_BLOCK_OR_LABEL} {_BE}) the ({_PLACE}(?: one| block| cube)?) of (?:the )?(?:(?:letters|digits|numbers|blocks|"
      f"cubes) )?({LABEL}(?:(?: ,)?(?: and)? {LABEL})+) in (an? {_LINE})$", "{1} the {2} in {4} of {3}"),

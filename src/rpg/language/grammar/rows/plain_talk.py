@@ -180,7 +180,7 @@ PLAIN_TALK_AT_ONCE: tuple[Turn, ...] = (
     ("\\b(odd|even) numbered (?:blocks|cubes|ones) (?:\\( (?:from )?(\\d) to (\\d) \\)|(?:from )?(\\d) to (\\d))",
      "{1} numbers from {2} {4} to {3} {5}"),
     ("\\bevery color of the rainbow\\b", "all the colors of the rainbow"),
-    ("\\b((?:row|line|column|tower|stack)) of pairs :", "{1} :"),
+    ("\\b((?:row|line|column|tower|stack))(?: consists| is made| is made up)? of pairs :", "{1} :"),
     *((f"^{begun}({COLOR}) and ({COLOR})(?: blocks| ones)?(?: ,)? (?:taking turns|in turns?|by turns|alternating|"
        f"alternately)(?: ,)? ({MANY}) (?:blocks|cubes)(?: in all| in total)?(?: ,)? (?:and )?(beginning|starting) and "
        f"ending with ({COLOR})$",
@@ -200,6 +200,8 @@ PLAIN_TALK_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b(halfway |midway |exactly |right |in )?between the (left|right|{COLOR}) and (?:the )?(left|right|{COLOR}) "
      f"{PATCH}$",
      "{1} between the {2} patch and the {3} patch"),
+    ("^(?:align|line up) ([^.:;]*?(?:\\b(?:and|them|all)\\b|s\\b)[^.:;]*?) (?:with|along|to|at) "
+     "(the (?:near|far|left|right|front|back) edge of the table)$", "put {1} in a line along {2}"),
     ("^(?:align|line up) ([^,]+?) (?:with|along|to|at) (the (?:near|far|left|right|front|back) edge of the table)$",
      "put {1} at {2}"),
     # which board

@@ -20,6 +20,7 @@ _LABELS = f"(?:{LABEL} to {LABEL}|{LABEL}(?:(?: , and| ,| and)? {LABEL})*)"
 _AS_MANY = "(?:(?:just |exactly )?as many|the same number of|an equal number of)"
 _TWO = f"(?:the (?:two )?{PATCHES}|two {PATCHES}|an? {PATCH}|one of (?:the )?(?:two |these )?{PATCHES})"
 _A = f"(?:the|an?) ({COLOR})(?: one| {PATCH})?"
+_ITS_BLOCKS = f"((?:(?:{COLOR}|\\w)(?: , and | , | and ))+(?:{COLOR}|\\w))"
 _LOT = f"{MANY} (?:{COLOR} )?{_BLOCKS}"
 _LINES = "towers|stacks|rows|lines|columns"
 _SHARE = (
@@ -54,6 +55,9 @@ EACH_THERE: tuple[Turn, ...] = (
     (f"^in (?:an?|the) ({LINE}) (?:of|with|made of|from) ({MANY} {COLOR}(?: (?:,|and) {MANY} {COLOR})*(?: {_BLOCKS})?)"
      f"(?: ,)? ((?:no|neither|none) .+|(?:the|an?) .+? (?:{MUST}|may|can) (?:not|never) .+)$",
      "make a {1} of {2} . {3}"),
+    (f"^((?:every|each|all(?: of)?(?: the)?|the) (?:letters?|numbers?|digits?|blocks?|cubes?|ones)) (?:in|of) the "
+     f"({LINE}) {_ITS_BLOCKS}(?: ,)? ((?:{MUST}|is|are) .+)$", "there must be a {2} {3} . {1} {4}"),
+    (f"^in the ({LINE}) {_ITS_BLOCKS}(?: ,)? ((?:every|each|all|the) .+)$", "there must be a {1} {2} . {3}"),
     # no two alike
     (f"^{_ALIKE} {_APART}$", "no two blocks of the same color may be next to each other"),
     (f"^(.+?)(?: ,| and| , and| but| , but) {_ALIKE} {_APART}$",

@@ -38,6 +38,7 @@ _BEYOND = f"(?:the )?(?:second|far|back|rear|top|upper){_ROW}|the (?:row|line|on
 _READS = "(?:reads|spells|says|must read|must spell|must say|should read|should spell|should say)"
 _LETTERS = "(?:letter (?:cubes|blocks)|letters|words)"
 _THE_WORD = f"(?:the word )?(?!{COLOR}\\b){_WORD}"
+_TWO_WORDS = f"(?:(?:{_WRITE}|build|form|show) )?(?:the |these )?(?:two|2) words(?: ,| :)+"
 _BEFORE_IT = f"(?:in front of|before) {_IT}|(?:in|at)(?: the)? front(?: row)?"
 _BEHIND_IT = f"behind(?: {_IT})?|(?:in|at) the (?:back|rear)(?: row)?"
 _SYMBOL_LIST = "((?:\\w (?:, and |, |and ))+\\w)"
@@ -105,9 +106,9 @@ TWO_ROWS_AT_ONCE: tuple[Turn, ...] = (
      "the word {2} behind the word {1}"),
     (f"^{_TWO}(?: ,)? one (?:word )?behind the other(?: ,)?(?: with)? \\2 (?:is |being )?{_NEAR}$",
      "the word {1} behind the word {2}"),
-    (f"^(?:write|spell) {_THE_WORD}(?: ,)? (?:{_BEFORE_IT}){_AND}{_THE_WORD} (?:{_BEHIND_IT})$",
+    (f"^(?:write|spell|{_TWO_WORDS}) {_THE_WORD}(?: ,)? (?:{_BEFORE_IT}){_AND}{_THE_WORD} (?:{_BEHIND_IT})$",
      "write {2} in the far row and {1} in the near row"),
-    (f"^(?:write|spell) {_THE_WORD}(?: ,)? (?:{_BEHIND_IT}){_AND}{_THE_WORD} (?:{_BEFORE_IT})$",
+    (f"^(?:write|spell|{_TWO_WORDS}) {_THE_WORD}(?: ,)? (?:{_BEHIND_IT}){_AND}{_THE_WORD} (?:{_BEFORE_IT})$",
      "write {1} in the far row and {2} in the near row"),
     *((f"^{_SPELL}(?: the word)? {_WORD}{_IN_LETTERS}(?: ,)? and(?: ,)? {where} it(?: ,)?(?: the word)? {_WORD}$", said)
       for where, said in (("in front of", "write {1} in the far row and {2} in the near row"),
@@ -130,6 +131,8 @@ TWO_ROWS_AT_ONCE: tuple[Turn, ...] = (
                     "(?: ,)? (?:like|as) (?:two )?lines (?:on|of) a (?:page|text|book|poem)")),
     (f"^(?:{_WRITE} )?{_WORD} (?:on|in) the (?:first|upper|top) line{_AND}{_WORD} (?:on|in) the (?:second|lower|bottom|"
      "next) line$",
+     "write {1} in the far row and {2} in the near row"),
+    (f"^(?:write|spell) (?:the words )?{_THE_WORD} {_THE_WORD} (?:in|on|as|over) (?:two|2) (?:rows|lines)$",
      "write {1} in the far row and {2} in the near row"),
     # rows
     (f"^{_ROWS}the {_END} row {_SHOWS} {_LISTED}{_AND}the {_END} (?:row|one) {_SHOWS} {_LISTED}$",

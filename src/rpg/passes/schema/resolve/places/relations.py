@@ -320,7 +320,7 @@ def _landmarks(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.G
 def _relate(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
     single = not mark.built or (len(mark.built) == 1 and mark.built[0].kind in ("row", "line", "column", "word"))
     if mark.each and len(mark.names) > 1 and single and indefinite(theme) and not theme.built:
-        if loc.rel in DIRECTIONS:
+        if loc.rel in DIRECTIONS and not {"directly", "immediate"} & set(loc.mods):
             raise refuse("ambiguous", "one for all of them, or one for each?", loc.span, "name the one of each")
         lots = one_lot_each(theme, len(mark.names), scene)
         pairs = zip(lots, mark.names, strict=True)

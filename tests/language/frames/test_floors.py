@@ -58,6 +58,12 @@ _RED, _BLUE = "a red block", "a blue block"
         ("The stack has red at the bottom and blue on top", None),  # now, or in the end?
         ("Build a tower with red at the bottom and blue on top. A red block is on the table.", None),
         ("Stack red and blue. Then put a red one on it.", None),  # first this, then that
+        ("Stack red, then blue, then green, and green at the bottom.", None),  # is it the same one?
+        ("A tower of red on blue. The blue block is at the top of it.", None),
+        (
+            "A tower of five red blocks except the top one, which is blue.",
+            f"{_UP} {_RED}, {_RED}, {_RED}, {_RED}, {_BLUE}.",
+        ),
     ],
 )
 def test_floors_are_put_in_order(text: str, plain: str | None) -> None:
@@ -93,6 +99,7 @@ _TWO = "Build 2 towers: 1 blue block on 1 red block and 1 red block on 1 blue bl
             f"{_TWO.split(' and ')[0]} and 1 blue block on 1 red block.",
         ),
         ("Two stacks, red at the bottom, blue on top.", None),  # each of them, or one of each color?
+        ("First tower: blue on top of red. Second tower: red on top of blue.", _TWO),
         ("Three towers: one has red at the bottom, blue on top, the other in reverse order.", None),
         (
             "A tower with red below and blue above, a second one with blue below and red above, to the left of it, a "

@@ -115,3 +115,10 @@ def test_each_of_several_is_told(text: str, plain: str | None) -> None:
 def test_what_is_seen_from_the_top_is_told_downwards() -> None:
     assert "from top to bottom in the order blue, green, red" in means("A stack, seen from the top: blue, green, red.")
     assert "from left to right in the order A, B, C" in means("A row of letters, seen from the top: A, B, C.")
+
+
+@pytest.mark.parametrize(
+    "text", ["Stack two red blocks and on top a blue block.", "A tower of two red blocks and on top a blue one."]
+)
+def test_what_comes_on_top_is_no_ground(text: str) -> None:
+    assert "The blue block must be on the tower of the two red blocks." in means(text)

@@ -60,6 +60,7 @@ _RED, _BLUE = "a red block", "a blue block"
         ("Stack red and blue. Then put a red one on it.", None),  # first this, then that
         ("Stack red, then blue, then green, and green at the bottom.", None),  # is it the same one?
         ("A tower of red on blue. The blue block is at the top of it.", None),
+        ("A tower of three red blocks on the blue mat and a green block on it.", None),  # on the mat?
         (
             "A tower of five red blocks except the top one, which is blue.",
             f"{_UP} {_RED}, {_RED}, {_RED}, {_RED}, {_BLUE}.",

@@ -58,6 +58,13 @@ _RED, _BLUE = "a red block", "a blue block"
         ("The stack has red at the bottom and blue on top", None),  # now, or in the end?
         ("Build a tower with red at the bottom and blue on top. A red block is on the table.", None),
         ("Stack red and blue. Then put a red one on it.", None),  # first this, then that
+        ("Stack red, then blue, then green, and green at the bottom.", None),  # is it the same one?
+        ("A tower of red on blue. The blue block is at the top of it.", None),
+        ("A tower of three red blocks on the blue mat and a green block on it.", None),  # on the mat?
+        (
+            "A tower of five red blocks except the top one, which is blue.",
+            f"{_UP} {_RED}, {_RED}, {_RED}, {_RED}, {_BLUE}.",
+        ),
     ],
 )
 def test_floors_are_put_in_order(text: str, plain: str | None) -> None:
@@ -93,6 +100,7 @@ _TWO = "Build 2 towers: 1 blue block on 1 red block and 1 red block on 1 blue bl
             f"{_TWO.split(' and ')[0]} and 1 blue block on 1 red block.",
         ),
         ("Two stacks, red at the bottom, blue on top.", None),  # each of them, or one of each color?
+        ("First tower: blue on top of red. Second tower: red on top of blue.", _TWO),
         ("Three towers: one has red at the bottom, blue on top, the other in reverse order.", None),
         (
             "A tower with red below and blue above, a second one with blue below and red above, to the left of it, a "
@@ -108,3 +116,10 @@ def test_each_of_several_is_told(text: str, plain: str | None) -> None:
 def test_what_is_seen_from_the_top_is_told_downwards() -> None:
     assert "from top to bottom in the order blue, green, red" in means("A stack, seen from the top: blue, green, red.")
     assert "from left to right in the order A, B, C" in means("A row of letters, seen from the top: A, B, C.")
+
+
+@pytest.mark.parametrize(
+    "text", ["Stack two red blocks and on top a blue block.", "A tower of two red blocks and on top a blue one."]
+)
+def test_what_comes_on_top_is_no_ground(text: str) -> None:
+    assert "The blue block must be on the tower of the two red blocks." in means(text)

@@ -49,6 +49,11 @@ class Run:
     high: int | None = None
     amid: bool = False
 
+    @property
+    def anchored(self) -> bool:
+        """Whether it is told where it is."""
+        return self.amid or self.low is not None or self.high is not None
+
 
 @dataclass
 class Tower:
@@ -88,6 +93,12 @@ class Tower:
         """Whether a block that has its place already may be spoken of again."""
         known = item.definite or (item.known and self.related)
         return known and item.count in (None, 1) and any(item.look in run.looks for run in self.runs)
+
+    def unplaced(self, item: Item) -> bool:
+        """Whether a block was told on others that may now be told with its place: "red, then blue, and blue on top"."""
+        having = [run for run in self.runs if item.look in run.looks]
+        ends = [run.looks[-1 if run.high is not None else 0] for run in having if run.anchored]
+        return item.known and ends != [item.look] * len(having)
 
     def found(self, item: Item, *, up: bool) -> Run | None:
         """The run with a block that was told before at its top or bottom; None where there is no such block.

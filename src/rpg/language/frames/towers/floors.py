@@ -136,7 +136,13 @@ def _alone(tower: Tower, item: Item, places: list[Piece], *, follows: bool) -> N
 
 
 def _placed(tower: Tower, item: Item, place: Piece) -> None:
-    """Blocks at a part of the tower, or on one of its floors."""
+    """Blocks at a part of the tower, or on one of its floors.
+
+    Raises:
+        Unclear: they may be some that are told already, or it is not told how many or where they are.
+    """
+    if tower.unplaced(item):
+        raise Unclear
     if place.kind == "ends":
         if tower.ends or item.count not in (None, 2, 1 if "end" in place.words else 2):
             raise Unclear

@@ -23,6 +23,9 @@ def looks_of(pieces: Sequence[Piece], way: Piece | None, size: int | None = None
     Raises:
         Unclear: it does not follow what is where.
     """
+    kinds = [piece.kind for piece in pieces]
+    if "where" in kinds and "upon" in kinds[kinds.index("where") :]:
+        raise Unclear  # "three red blocks on the mat, a green one on it": on the mat, or on them?
     total = one(pieces, "total")
     if total and size not in (None, total.value):
         raise Unclear

@@ -46,6 +46,10 @@ _SPOT = "(?:to the left of|to the right of|left of|right of|in front of|behind|n
 _LABELS = "\\S(?:(?: ,| and| , and)? \\S)+"
 
 TOWERS_AT_ONCE: tuple[Turn, ...] = (
+    # what comes on top, and not on what
+    ("^((?:(?!\\b(?:bottom|base|middle|below|under|ground) ).)*?\\b(?:stack|pile|put|place|tower) "
+     "(?:(?!\\b(?:bottom|base|middle|below|under|ground) ).)*?)(?: ,)? and on (?:the )?(?:very )?top "
+     f"(?=(?:an?|one|the|another|{MANY}|{COLOR}|[a-z0-9])\\b)", "{1} and , on top , "),
     (f"^(make|build|form|create|stack) (?:from|out of) (?:the )?(letters|digits|blocks|cubes) ({_LABELS})(?: ,)? "
      f"(an?|one) ((?:vertical |single |tall |upright )?{LINE})\\b", "{1} {4} {5} from the {2} {3}"),
     (f"(?: ,)? to (?:read|spell) ({WAY})(?: the word)? (\\S+)$", " that reads {2} {1}"),

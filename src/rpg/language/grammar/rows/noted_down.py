@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import AND, COLOR, CUBE, MANY
+from rpg.language.grammar.rows.vocabulary import AND, COLOR, CUBE, MANY, PATCH
 
 _HEAD = "((?:at the |in the )?(?:start|begin|beginning|given|goal|end|finish|initially|finally|currently|now|then))"
 _LINE = "(tower|row|column|pyramid|(?:stack|line|pile)(?= (?:of|with|from|,|:|\\()|$))"
@@ -29,6 +29,7 @@ def _between(one: str, other: str) -> tuple[Turn, ...]:
 _BOTTOM, _TOP = "(?:at the bottom|lowest)", "(?:(?:on|at) (?:the )?top|highest)"
 NOTED_DOWN: tuple[Turn, ...] = (
     (f"^{_HEAD} : {_LINE}\\b", "{1} : a {2}"),
+    (f"^{_HEAD} : ((?:{COLOR} )?{PATCH}) (empty|clear|free)(?= ,|$)", "{1} : the {2} is {3}"),
     ("(?:^|(?<=: )|(?<=, ))same (tower|stack|row|line|column|pile|order|blocks|cubes)\\b", "the same {1}"),
     (f"(?<=[,:(] )({COLOR}) \\( (?:at the )?(top|bottom) \\)", "{1} at the {2}"),
     (f"\\b(tower|stack|row)(?: of| with| from)?(?: :)? ({COLOR}) \\( (?:at the )?(top|bottom) \\)",

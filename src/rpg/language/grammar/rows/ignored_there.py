@@ -59,8 +59,8 @@ IGNORED_THERE: tuple[Turn, ...] = (
         "{3} . {1} {2}",
     ),
     (
-        f"{_BEGIN}(?:extra|other|additional|further) (?:{BLOCK}s|objects|things)(?: on the table| in the scene)? : ({_LOTS})"
-        f"(?: \\( distractors \\))?{_END}",
+        f"{_BEGIN}(?:extra|other|additional|further) (?:{BLOCK}s|objects|things)(?: on the table| in the scene)? : "
+        f"({_LOTS})(?: \\( distractors \\))?{_END}",
         "there are {1} as distractors",
     ),
     *_rows(_ONE, _not_meant("it|this one|that one", "it|this one|that one")),

@@ -59,7 +59,7 @@ IGNORED_THERE: tuple[Turn, ...] = (
         "{3} . {1} {2}",
     ),
     (
-        f"{_BEGIN}(?:extra|other|additional|further) (?:{BLOCK}s|objects|things)(?: on the table| in the scene)? : "
+        f"{_BEGIN}extra (?:{BLOCK}s|objects|things)(?: on the table| in the scene)? : "
         f"({_LOTS})(?: \\( distractors \\))?{_END}",
         "there are {1} as distractors",
     ),

@@ -33,6 +33,11 @@ def test_what_comes_on_top(text: str) -> None:
     assert "Then, the blue block must be on the red block. Finally, the green block must be on the blue block." in told
 
 
+def test_down_from_the_top() -> None:
+    told = means("Build a tower, green on top, then blue, then red.")
+    assert "from bottom to top in the order red, blue, green" in told
+
+
 def test_another_place_is_another() -> None:
     told = means("Put A on the mat, then B on top of it, then C next to the mat.")
     assert "Finally, the C block must be next to the gray patch." in told

@@ -19,6 +19,7 @@ BROWN = f"There are a white block and a black block. There are also two brown bl
         "Put the white block on the black one. There are two brown blocks on the table. They don't matter.",
         "Put the white block on the black one. You will also see two brown blocks, but don't use them.",
         "Put white on black. Ignore everything else on the table: two brown blocks.",
+        "Put white on black. Extra objects: two brown blocks.",
     ),
 )
 def test_what_lies_about_is_not_meant(text: str) -> None:

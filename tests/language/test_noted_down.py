@@ -56,3 +56,9 @@ def test_a_demo_ends_as_an_episode_does() -> None:
     )
     start, end = start_and_end("The clip starts with red on blue and ends with blue on red.")
     assert "the red block is on the blue block" in start and "The blue block must be on the red block" in end
+
+
+def test_a_mat_that_is_empty_at_first() -> None:
+    start, end = start_and_end("Start: mat empty, red and blue scattered. Goal: red on the mat, blue on red.")
+    assert "At the start, the gray patch is empty" in start
+    assert "The red block must be on the gray patch" in end

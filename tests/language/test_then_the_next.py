@@ -33,6 +33,11 @@ def test_what_comes_on_top(text: str) -> None:
     assert "Then, the blue block must be on the red block. Finally, the green block must be on the blue block." in told
 
 
+def test_down_from_the_top() -> None:
+    told = means("Build a tower, green on top, then blue, then red.")
+    assert "from bottom to top in the order red, blue, green" in told
+
+
 def test_another_place_is_another() -> None:
     told = means("Put A on the mat, then B on top of it, then C next to the mat.")
     assert "Finally, the C block must be next to the gray patch." in told
@@ -76,3 +81,31 @@ def test_what_lies_on_the_mats_is_swapped() -> None:
     told = means("Swap the blocks on the two patches. A is on the red patch, B on the green patch.")
     assert "At the start, the A block is on the red patch." in told
     assert "The A block and the B block must swap places." in told
+
+
+def test_steps_with_stops_behind_their_numbers() -> None:
+    told = means("Step 1. Put red on blue. Step 2. Put green on red.")
+    assert "First, the red block must be on the blue block. Then, the green block must be on the red block." in told
+
+
+def test_which_line_is_changed() -> None:
+    start, end = start_and_end("Swap the first and the last cube in the row red, yellow, green, blue.")
+    assert "from left to right in the order red, yellow, green, blue" in start
+    assert "The red block and the blue block must swap places" in end
+    start, end = start_and_end("Change the order of the tower from red-green-blue to blue-red-green (bottom to top).")
+    assert "from bottom to top in the order red, green, blue" in start
+    assert "from bottom to top in the order blue, red, green" in end
+    assert "At the start" not in means("In a row of red, green and blue, green must be in the middle.")
+
+
+def test_what_is_forbidden_under_a_heading() -> None:
+    told = means("Goal: black on white. Forbidden: white on black.")
+    assert "The white block must never be on the black block." in told
+    assert "must never be next to the blue block" in means("Never: red next to blue. Goal: red and blue on the mat.")
+
+
+def test_what_is_cleared_first() -> None:
+    told = means("Clear the mat first. A red block is on it.")
+    assert "At the start, the red block is on the gray patch." in told
+    told = means("Clear the mat first. Then put a red block on it.")
+    assert "First, the gray patch must be empty. Then, the red block must be on the gray patch." in told

@@ -38,6 +38,7 @@ def _other_side(one: str, said: str, other: str) -> Turn:
 
 _FROM = "(?: ,)?(?: in order)?(?: ,)? (?:beginning|starting) (?:with|from|at)"
 """What is laid or stacked first, of what stands in an order already: the others follow in that order."""
+_SWAP = "(?:swap|exchange|switch)"
 _WAY = f"(?: ,)?(?: \\()? ({UP})(?: \\))?"
 _ORDER_WAS = (
     f"^(?:{TIME} ,? ?)?(?:the|an?) ({LINE})(?: of (?:blocks|cubes))?(?: {TIME})? (?:reads?|is|goes|shows|has the order)"
@@ -47,6 +48,12 @@ _ORDER_WILL_BE = f"(?:{END} ,? ?)?(?:(?:it|the \\1) )?(?:{MUST} |make it )(?:rea
 """A line that is told twice, with the order of its colours at the start and at the end."""
 
 BEFORE_AND_AFTER: tuple[Turn, ...] = (
+    ("\\b(clear|empty) (the [^.,]+?) first(?: so that it is (?:empty|clear|free)(?: again)?)? \\. "
+     "(?=(?:the|an?|two|three|four) [^.]*?\\b(?:is|are|lies?|stands?|sits?)(?: lying| standing| sitting)? "
+     "(?:on it|there)(?: \\.|$))", "first {1} {2} . "),
+    ("(^|\\. )(step|stage|phase) (\\d+) \\. (?=\\w)", "{1} {2} {3} : "),
+    (f"^the ({LINE}) (?:consists of|is made(?: up)? of|is built of|contains) ([^.]+?) \\. (?:please )?"
+     "(?=(?:turn|reverse|invert|flip|unstack|dismantle|take|restack) )", "there is a {1} of {2} . "),
     (f"^((?:swap|exchange|switch) (?:the )?(?:two )?(?:blocks|cubes)) on the (?:two )?{PATCHES} \\. ([^.]+? (?:is|lies|"
      "starts|stands|sits) on [^.]+)(?= \\.|$)", "at the start , {2} . swap the two"),
     (f"{_ORDER_WAS}{_ORDER_WILL_BE}(?: :)? ({LIST}){_WAY}(?: {END})?(?= \\.|$)",
@@ -112,5 +119,16 @@ WITH_ITS_TOP: tuple[Turn, ...] = (
     ("\\bthe way (it|they) (is|are|was|were)$", "as {1} {2}"),
 )  # fmt: skip
 """The same in every sentence."""
+ORDER_CHANGED: tuple[Turn, ...] = (
+    (f"^change (?:the order of )?the ({LINE}) from ({LIST}) to ({LIST})(?: ,)?(?: \\()?(?: ({UP}))?(?: \\))?$",
+     "at the start there is a {1} : {2} {4} . build a {1} : {3} {4}"),
+    (f"^in (?:the|an?) ({LINE})(?: of)? ({LIST})(?: ,)?(?: ({UP}))? , (?={_SWAP} )",
+     "at the start there is a {1} : {2} {3} . "),
+    (f"^({_SWAP} (?:the (?:positions|places) of )?the \\w+ (?:and|with) (?:the )?\\w+(?: blocks?| cubes?| ones?)?) "
+     f"(?:in|of) (?:the|an?) ({LINE})(?: of)? ({LIST})(?:(?: ,)? ({UP}))?$",
+     "at the start there is a {2} : {3} {4} . {1}"),
+    ("\\b(empty|clear|free) again$", "{1}"),
+)  # fmt: skip
+"""In every sentence: what is done to a line, and which one it is."""
 WORDS = ("yet moment point finish reversal inversion inverting reversing dismantling unstacking",)
 """Words that these take besides those that are read anyway."""

@@ -44,7 +44,7 @@ BESIDES_AT_ONCE: tuple[Turn, ...] = (
      "(?= (?:that|which) |$)", "there are {1}"),
     # when it is so
     (f"\\b(the|this|our|my|each|every|a) {_SHOWN}(?= (?:{MUST} )?(?:ends?|finish|finishes|stops?|closes?|concludes?|"
-     "starts?|begins?|is (?:over|done|finished|complete))\\b)", "{1} episode"),
+     "starts?|begins?)\\b)", "{1} episode"),
     (f"\\b(start|beginning|end|finish) of (the|this|our|my|each|every) {_SHOWN}\\b", "{1} of {2} episode"),
     (f"^(?:after|following|at the end of|by the end of) (?:the|an|each|every) {_RUN}(?: ,)? (?=\\w)", "at the end ,"),
     # which of two

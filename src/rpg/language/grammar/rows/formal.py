@@ -13,7 +13,7 @@ from rpg.language.grammar.rows.around_it import AROUND_AT_ONCE, around_named
 from rpg.language.grammar.rows.asked_aloud import ASKED_ALOUD, ASKED_ALOUD_AT_ONCE
 from rpg.language.grammar.rows.barred_there import BARRED_THERE, BARRED_THERE_AT_ONCE
 from rpg.language.grammar.rows.become import BECOME, BECOME_AT_ONCE
-from rpg.language.grammar.rows.before_and_after import BEFORE_AND_AFTER, WITH_ITS_TOP
+from rpg.language.grammar.rows.before_and_after import BEFORE_AND_AFTER, ORDER_CHANGED, WITH_ITS_TOP
 from rpg.language.grammar.rows.begun import BEGUN, BEGUN_AT_ONCE
 from rpg.language.grammar.rows.beside_it import BESIDE_IT, BESIDE_IT_AT_ONCE
 from rpg.language.grammar.rows.besides import BESIDES, BESIDES_AT_ONCE
@@ -118,6 +118,7 @@ _OF_ALL = (
     *IN_CONVERSATION,
     *CONTRASTS,
     *WITH_ITS_TOP,
+    *ORDER_CHANGED,
     *PLAIN_TALK_AT_ONCE,
     *ORDER_MATTERS_AT_ONCE,
     *LABELS_THERE,

@@ -58,6 +58,11 @@ IGNORED_THERE: tuple[Turn, ...] = (
         "\\b(ignore|disregard) (the (?:digits|letters|numbers|symbols)) \\. (.*\\bthere (?:is|are) [^.]*)(?= \\.$|$)",
         "{3} . {1} {2}",
     ),
+    (
+        f"{_BEGIN}extra (?:{BLOCK}s|objects|things)(?: on the table| in the scene)? : "
+        f"({_LOTS})(?: \\( distractors \\))?{_END}",
+        "there are {1} as distractors",
+    ),
     *_rows(_ONE, _not_meant("it|this one|that one", "it|this one|that one")),
 )
 """Over a whole text: what is looked for, and what is said instead."""

@@ -39,8 +39,10 @@ IN_STEPS: tuple[Turn, ...] = (
      "first {1} {2} {3} , then {1} {4} {3} , then {1} {5} {3}"),
     (f"^(?:first )?({THING}) ((?:goes|comes|{MUST} (?:go|be|come))) {_ON}{_NEXT} ({THING}){_NEXT} ({THING})$",
      "first {1} {2} {3} , then {4} {2} {3} , then {5} {2} {3}"),
-    (f"(?: ,)?(?: and)?(?: then| ,) ({THING}) on top( of (?:it|that))?{_NEXT} ({THING})(?= , | and |$)",
+    (f"(?: ,)?(?: and)?(?: then| ,) ({THING}) on top (of (?:it|that)){_NEXT} ({THING})(?= , | and |$)",
      " , then {1} on top {2} , then {3} on top of that"),
+    (f"^((?:first )?{_PUT} {THING} (?:on|onto) {THING}(?: ,)?(?: and)?) then ({THING}) on top{_NEXT} ({THING})"
+     "(?= , | and |$)", "{1} then {2} on top , then {3} on top of that"),
     # what comes first told last
     (f"^before ({THING}) (?:is|are|{MUST} be) {_DONE} {_ON} , ({THING}) (?:{MUST} be|is) {_DONE} {_THERE}{_TOO}$",
      "first put {3} {2} , then put {1} {2}"),

@@ -3,7 +3,7 @@ plainly."""
 
 from __future__ import annotations
 
-from rpg.language.grammar.rows.said_short import THING
+from rpg.language.grammar.rows.said_short import PLACE, THING
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import LENGTH, LINE, MUST
 
@@ -38,6 +38,9 @@ OFF_FIRST: tuple[Turn, ...] = (
 )  # fmt: skip
 """What is done before anything else, of which the order would be lost; in every sentence."""
 AT_TIMES: tuple[Turn, ...] = (
+    # told under a heading
+    (f"^(?:never(?: allowed)?|forbidden|prohibited|not allowed|must never happen|must not happen) : ({THING}) "
+     f"({PLACE} {THING}|{_PLACE})$", "{1} must never be {2}"),
     # never
     (f"\\b{_NEVER} (touch|touches|lie|lies|put|place|let|move|take|stack|leave|leaves|lift|allow)\\b", "never {1}"),
     ("\\b((?:not|never) [^,]+?)(?: ,)? not even (?:temporarily|briefly|momentarily|shortly|in passing|in "
@@ -102,5 +105,5 @@ BEFORE_IT: tuple[Turn, ...] = (
     *TRADED,
 )  # fmt: skip
 """What is looked for, and what is said instead."""
-WORDS = ("briefly instant letting momentarily occasion permitted present spot temporarily wait",)
+WORDS = ("forbidden prohibited briefly instant letting momentarily occasion permitted present spot temporarily wait",)
 """Words that these take besides those that are read anyway."""

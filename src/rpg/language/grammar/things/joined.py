@@ -223,6 +223,12 @@ def _joint(p: Parser, comma: int, op: str | None, before: Meaning) -> tuple[int,
     return joined, p.words[comma] if joined else ""
 
 
+def _only_first_counted(first: Meaning, item: Meaning) -> bool:
+    """ "3 red/blue": no three red ones and a blue one."""
+    two = isinstance(first, Noun) and isinstance(item, Noun)
+    return two and first.amount is not None and item.amount is None and item.det == "bare"
+
+
 _AS_WELL = ("and then", "as well as", "along with", "together with", "and also")
 
 
@@ -252,6 +258,8 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
         looks = item.traits if isinstance(item, Noun) else Traits()
         if not (looks.colors if summed else looks.labels or p.words[at] != "/" or p.tokens[at - 1].kind != "number"):
             continue  # "2/4 red blocks": no 2 and four red ones
+        if p.words[at] == "/" and looks.colors and _only_first_counted(items[-1], item):
+            continue
         like = _like(items[-1], item) if p.words[j - 1] in ("one", "ones") else item
         item = _weighed(items, like, op == "and" and p.words[at] in (",", ";"))
         if _no_item(p, items[-1], item, bool(joined), at) or so_many_of_it(p, items[-1], item, at):

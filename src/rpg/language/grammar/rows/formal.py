@@ -52,6 +52,7 @@ from rpg.language.grammar.rows.lots_told import LOTS, LOTS_AT_ONCE
 from rpg.language.grammar.rows.lying_there import LYING_THERE_AT_ONCE
 from rpg.language.grammar.rows.measured_so import MEASURED_SO
 from rpg.language.grammar.rows.moved_off import MOVED_OFF_AT_ONCE, OFF_ONTO
+from rpg.language.grammar.rows.nominal import NOMINAL, NOMINAL_AT_ONCE
 from rpg.language.grammar.rows.not_at_end import NOT_THERE, NOT_THERE_AT_ONCE, not_at_end
 from rpg.language.grammar.rows.not_consecutive import not_consecutive
 from rpg.language.grammar.rows.noted_down import NOTED_DOWN
@@ -105,6 +106,7 @@ from rpg.language.grammar.rows.two_rows import ROWS_PLACED, TWO_ROWS_AT_ONCE, ro
 from rpg.language.grammar.rows.verbs_of_place import VERBS_OF_PLACE
 from rpg.language.grammar.rows.vocabulary import MUST
 from rpg.language.grammar.rows.way_behind import PATTERNS_LINED, WAY_BEHIND
+from rpg.language.grammar.rows.which_they_are import WHICH_THEY_ARE
 from rpg.language.grammar.rows.wished_aloud import WISHED_ALOUD
 from rpg.language.grammar.rows.wished_such import WISHED_SUCH, WISHED_SUCH_AT_ONCE
 from rpg.language.grammar.rows.word_again import word_again
@@ -185,6 +187,7 @@ _OF_ALL = (
     *WISHED_SUCH_AT_ONCE,
     *HOW_FAR_AT_ONCE,
     *BESIDE_IT_AT_ONCE,
+    *NOMINAL_AT_ONCE,
 )
 """The rows of every sentence."""
 _OF_THE_UNREAD = (
@@ -235,6 +238,8 @@ _OF_THE_UNREAD = (
     *SIZES_TOLD,
     *CORNERS_TOLD,
     *BARRED_THERE,
+    *NOMINAL,
+    *WHICH_THEY_ARE,
 )
 """The rows of a sentence that cannot be read as it stands."""
 _LAST_ACROSS = (*WAY_BEHIND, *CORNERS_ACROSS, *MEASURED_SO, *ACROSS)

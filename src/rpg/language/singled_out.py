@@ -22,10 +22,11 @@ _NOR = Turns([
 ])  # fmt: skip
 _ONES = "(?:blocks|cubes|ones|pieces)"
 _ALIKE = re.compile(
-    f"\\b(?:the|both)(?: (?P<many>{MANY}))?(?:(?: {_ONES})?(?: (?:that|which|who) (?:share|have|are of|are in)| of| with|"
-    "(?: both)? having| sharing)(?: both)? (?:an? (?:common |single )?|the (?:very )?same |one (?:and the same )?|equal |"
-    f"an identical )color|(?: {_ONES})? (?:that|which) (?:are alike|look alike|look the same|are the same color|are "
-    f"identical|match)| (?:identical|like colored|same colored|matching) {_ONES})(?! as\\b)"
+    f"\\b(?:the|both)(?: (?P<many>{MANY}))?(?:(?: {_ONES})?"
+    "(?: (?:that|which|who) (?:share|have|are of|are in)| of| with|(?: both)? having| sharing)(?: both)? "
+    "(?:an? (?:common |single )?|the (?:very )?same |one (?:and the same )?|equal |an identical )color"
+    f"|(?: {_ONES})? (?:that|which) (?:are alike|look alike|look the same|are the same color|are identical|match)"
+    f"| (?:identical|like colored|same colored|matching) {_ONES})(?! as\\b)"
 )
 _LOT = re.compile(f"\\b(?P<many>an?|{MANY}) (?P<color>{COLOR})\\b(?! (?:{PATCH}|{PATCHES})\\b)")
 
@@ -71,7 +72,9 @@ _OTHER_END = re.compile(
     f"\\bthe (?:{_ONE} {_COMES} (?P<a>first|earliest|last|latest)|(?P<b>first|last)(?: one)?(?= [.?!]|$))"
 )
 _LISTED = frozenset({",", "and", "&"})
-_STOCK = Turns([("^(?:the )?letters(?: are| :)? ((?:[a-z](?: , and | , | and | & |$))+)$", "there are the letters {1}")])
+_STOCK = Turns(
+    [("^(?:the )?letters(?: are| :)? ((?:[a-z](?: , and | , | and | & |$))+)$", "there are the letters {1}")]
+)
 """What there is to single out from: of the rest nothing need be said."""
 
 

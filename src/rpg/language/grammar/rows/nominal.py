@@ -25,8 +25,8 @@ _ASKED = (
 )
 _THIS = "(?:this|it|the (?:task|job|assignment|exercise|goal|solution))"
 _LED = (
-    f"(?:{_ASKED}(?: is| :| consists (?:of|in))|(?:required|desired|needed|wanted|requested|expected|planned)(?: is| :)?"
-    f"|{_THIS} (?:requires|demands|involves|calls for|asks for|needs|consists (?:of|in))"
+    f"(?:{_ASKED}(?: is| :| consists (?:of|in))|(?:required|desired|needed|wanted|requested|expected|planned)"
+    f"(?: is| :)?|{_THIS} (?:requires|demands|involves|calls for|asks for|needs|consists (?:of|in))"
     "|what (?:is|we|i) (?:required|desired|needed|wanted|requested|need|want|require)(?: here)? is|please :?)"
 )
 _NEXT = "(?: ,)?(?: and)?(?: then)?(?: followed by| after (?:that|which)| then)"
@@ -46,8 +46,9 @@ NOMINAL: tuple[Turn, ...] = (
 )  # fmt: skip
 """What is looked for, and what is said instead."""
 WORDS = (
-    "placement placing positioning movement transfer relocation depositing stacking piling sorting grouping arrangement "
-    "ordering alignment aligning construction constructing formation creation assembly erection erecting spelling "
-    "exchange interchange separation removal rotation requires demands involves calls request instruction assignment",
+    "placement placing positioning movement transfer relocation depositing stacking piling sorting grouping "
+    "arrangement ordering alignment aligning construction constructing formation creation assembly erection erecting "
+    "spelling exchange interchange separation removal rotation requires demands involves calls request instruction "
+    "assignment",
 )
 """Words that these take besides those that are read anyway."""

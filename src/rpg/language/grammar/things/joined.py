@@ -225,8 +225,9 @@ def _joint(p: Parser, comma: int, op: str | None, before: Meaning) -> tuple[int,
 
 def _only_first_counted(first: Meaning, item: Meaning) -> bool:
     """ "3 red/blue": no three red ones and a blue one."""
-    two = isinstance(first, Noun) and isinstance(item, Noun)
-    return two and first.amount is not None and item.amount is None and item.det == "bare"
+    if not isinstance(first, Noun) or first.amount is None:
+        return False
+    return isinstance(item, Noun) and item.amount is None and item.det == "bare"
 
 
 _AS_WELL = ("and then", "as well as", "along with", "together with", "and also")

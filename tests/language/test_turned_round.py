@@ -61,9 +61,9 @@ READ = {
         "towers of two, each of a different color.",
     "One places the blue cube behind the yellow cube.":
         "There are a blue block and a yellow block. The blue block must be behind the yellow block.",
-    "As for the A, put it on the B; as for the C, put it next to the A.":
-        "There are an A block, a B block and a C block. The A block must be on the B block. The C block must be "
-        "next to the A block.",
+    "As for the A, put it on the B; as for the C, put it behind the D.":
+        "There are an A block, a B block, a C block and a D block. The A block must be on the B block. The C block "
+        "must be behind the D block.",
     "Whatever is red must be stacked, whatever is blue must be lined up. There are 3 red blocks and 2 blue ones.":
         "There are three red blocks and two blue blocks. The three red blocks must be stacked. The two blue blocks "
         "must be in a line.",
@@ -73,6 +73,13 @@ READ = {
     "It should not be that the red cube is touching the green one. They both lie on the mat.":
         "There are a red block and a green block. There is a gray patch. The red block must not touch the green "
         "block. The red and green blocks must be on the gray patch.",
+    "With respect to the green block, the blue block is located in front and the red block behind.":
+        "There are a blue block, a green block and a red block. The blue block must be in front of the green block. "
+        "The red block must be behind the green block.",
+    "The two blocks of the colour orange are to be separated by a distance of at least 15 cm.":
+        "There are two orange blocks. The two orange blocks must be at least 15 cm apart.",
+    "The block that is on the red mat must be the blue one.":
+        "There is a blue block. There is a red patch. The blue block must be on the red patch.",
     # typed in a hurry
     "left 2 right: red, blue, green":
         "There are a red block, a blue block and a green block. The three blocks must be in a row from left to "

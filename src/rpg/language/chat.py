@@ -42,7 +42,7 @@ _SEEN = lexicon.NUMBER.keys() | {"a", "an", "the"}
 """Behind these letters they are "be" and "see"."""
 _TOLD = lexicon.BLOCK.keys() | lexicon.PATCH.keys() | {"one", "it", "them", "be", "is", "and", "then", "um", "uh"}
 """Behind these "like" may be a filler."""
-_MARKS = frozenset({"u", "n", "b", "c", "k", "r", "1", "2", "like", "kind", "sort", "mean", "bit", "blk", "pcs",
+_MARKS = frozenset({"u", "n", "b", "c", "k", "r", "1", "2", "like", "kind", "sort", "mean", "bit", "blk", "pcs", "ltr",
                     *_TYPED, *(word for pair in _GLUED for word in pair)})  # fmt: skip
 
 
@@ -86,6 +86,8 @@ def _meant(tokens: list[Token], words: list[str], at: int, hurried: bool) -> Ite
         yield ["one"], at + 1
     elif token.word == "blk":
         yield ["black" if behind in _TOLD_BY and before not in lexicon.COLOR else "block"], at + 1
+    elif token.word == "ltr":
+        yield ["from", "left", "to", "right"], at + 1
     elif token.word == "pcs" and words[at + 1 : at + 3] == [".", ")"]:
         yield ["blocks"], at + 2
     elif token.word == "2" and _from_end_to_end(words, at):

@@ -40,6 +40,9 @@ TURNED_ROUND: tuple[Turn, ...] = (
     # what is wanted first, or last
     (f"^that (.+?)(?: ,)? is (?:what is )?{_WANTED}$", "{1}"),
     (f"^where ({THING}) (?:{MUST} (?:go|be|stand|lie|come)|goes|belongs) is ({PLACE} .+)$", "{1} must be {2}"),
+    (f"^the (?:letter|digit|number|block|cube|one) (?:that|which) (?:is|stands|lies|sits|rests) ({PLACE} [^,]+?) "
+     f"(?:{MUST} be|is) ({THING})$", "{2} must be {1}"),
+    ("^let there (?:come|go) ", "put "),
     # a figure, and far behind it what it is like
     (f"^(an?|one) ({LINE}(?: of [^,]+?)?) {MUST} be {_BUILT}(?: ,)? ({_OF_IT} .+)$", "build {1} {2} {3}"),
     (f"^(?:it|there) {MUST} be {_BUILT} (an?|one) ({LINE}.*)$", "build {1} {2}"),

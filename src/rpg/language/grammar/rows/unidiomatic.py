@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from rpg.language.grammar.rows.said_short import PLACE, THING
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import CUBE, END, LINE, MANY, MUST
+from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, END, LINE, MANY, MUST
 
 _WHO = "(?:my|your|our|his|her|(?:the |a )?(?:viewer|observer|robot|camera|reader|onlooker|spectator) 's)"
 _FIRST = "(biggest|largest|highest|smallest|lowest)(?: one| number| digit)?"
@@ -14,13 +14,14 @@ _BARRED = "(?:not (?:allowed|permitted|ok|okay)|forbidden|prohibited|disallowed|
 _DOES = "(?:put|place|stack|set|lay|build|make|move|take|arrange|form|bring)"
 _SHOWING = "(?:with|(?:that|which) (?:show|bear|carry|have)|showing|bearing|carrying)"
 _HAS = "(?:contains?|comprises?|have|has|consists? of)"
-_SORT = "(vowels|consonants|letters|digits|numbers)"
+_SORT = "(vowels|consonants|letters|digits|numbers|numerals)"
 
 UNIDIOMATIC_AT_ONCE: tuple[Turn, ...] = (
     (f"\\ba couple of (?=(?:\\w+ ){{0,2}}{CUBE}s\\b)", "two "),
     (f"\\b(starting|beginning) (?:at|from|on) the ({END}) with (?:the )?{_FIRST}", "{1} with the {3} at the {2}"),
     (f"\\b(?:the (?:cubes|blocks|ones)|those) {_SHOWING} the {_SORT} (?=(?:\\w|\\d) (?:,|and) )", "the {1} "),
     ("\\beach one (?=(?:with|has|having) |(?:of|in) (?!the\\b|these\\b|them\\b))", "each "),
+    (f"\\bthe ({COLOR}) (?=(?:are|have) (?:all )?to be )", "the {1} blocks "),
     # a figure and one part of it
     *((f"^(?:the|an?|one) ({LINE}) (?:{MUST} )?{_HAS} (?:exactly )?({MANY} (?:\\w+ )?{CUBE}s)(?: ,)? {part} "
        f"(?:{MUST} be|is) (.+)$", "a {1} of {2} , the {3} one {4}")
@@ -34,6 +35,8 @@ UNIDIOMATIC: tuple[Turn, ...] = (
      "(?:the )?(top|bottom)(?: \\))?(?: is| :)? (.+)$", "stack from {1} to {2} : {3}"),
     (f"^((?:four|4) [^,]+?)(?: ,)? (?:{MUST} )?(?:be|are|build|form|make(?: up)?|mark) the (?:four )?corners of an? "
      "(?:imaginary )?square$", "{1} must form a square"),
+    ("\\bin (?:rising|growing|mounting|climbing) order\\b", "in ascending order"),
+    ("\\bin (?:falling|sinking|shrinking) order\\b", "in descending order"),
     # each other
     ("\\bthe one (beside|behind|on|upon|above|next to|in front of) the other\\b", "one {1} the other"),
     # what is wanted, and who does it
@@ -47,6 +50,9 @@ UNIDIOMATIC: tuple[Turn, ...] = (
     (f"^(?:as for|regarding|concerning|as regards|with regard to) ({THING}) [:,] it (?={MUST} |is |goes |belongs )",
      "{1} "),
     ("\\b(each|every) (block|cube|one) (?:in|of|with|having) another color\\b", "{1} {2} in a different color"),
+    ("^are ([^,]+?) able to be ", "can {1} be "),
+    ("\\bbe interchanged\\b", "be swapped"),
+    ("\\b(?:at|by) the side of (?=\\w)", "beside "),
     # so, too
     (f"\\b({THING}) (?:likewise|similarly|in turn|correspondingly) (?=(?:{PLACE}|over) )", "{1} "),
     ("^(?:and )?the same (?:goes|applies|holds|is true|is valid|is to be done) (?:for|to|of|with) ", "same for "),
@@ -59,6 +65,7 @@ UNIDIOMATIC: tuple[Turn, ...] = (
 """What is looked for, and what is said instead."""
 WORDS = (
     "viewer observer onlooker spectator regarding concerning regards banned disallowed prohibited "
-    "correspondingly imaginary valid",
+    "correspondingly imaginary valid interchanged mounting climbing growing falling sinking "
+    "shrinking rising",
 )
 """Words that these take besides those that are read anyway."""

@@ -109,7 +109,9 @@ def _meant(tokens: list[Token], words: list[str], at: int, hurried: bool) -> Ite
 def _from_end_to_end(words: list[str], at: int) -> bool:
     """ "left 2 right", "2 the left of", and no "one left, 2 right of it"."""
     before, behind, then = (words[n] if 0 <= n < len(words) else "" for n in (at - 1, at + 1, at + 2))
-    counted = then == "of" or then.isdigit() or then in lexicon.NUMBER
+    ahead = words[max(at - 4, 0) : max(at - 1, 0)]
+    told = (then, *ahead) if "of" not in ahead else (then,)
+    counted = then == "of" or any(word.isdigit() or word in lexicon.NUMBER for word in told)
     return words[at + 1 : at + 4] in _ASIDE or (before in _ENDS and behind in _ENDS and not counted)
 
 

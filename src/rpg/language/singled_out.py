@@ -25,8 +25,8 @@ _ALIKE = re.compile(
     f"\\b(?:the|both)(?: (?P<many>{MANY}))?(?:(?: {_ONES})?"
     "(?: (?:that|which|who) (?:share|have|are of|are in)| of| with|(?: both)? having| sharing)(?: both)? "
     "(?:an? (?:common |single )?|the (?:very )?same |one (?:and the same )?|equal |an identical )color"
-    f"|(?: {_ONES})? (?:that|which) (?:are alike|look alike|look the same|are the same color|are identical|match)"
-    f"| (?:identical|like colored|same colored|matching) {_ONES})(?! as\\b)"
+    f"|(?: {_ONES})? (?:that|which) (?:are alike|look alike|look the same|are the same color|are identical)"
+    f"| (?:identical|like colored|same colored) {_ONES})(?! as\\b)"
 )
 _LOT = re.compile(f"\\b(?P<many>an?|{MANY}) (?P<color>{COLOR})\\b(?! (?:{PATCH}|{PATCHES})\\b)")
 
@@ -36,7 +36,7 @@ def singled_out(tokens: list[Token]) -> tuple[list[Token], list[str]]:
     words = {token.word for token in tokens}
     if not words.isdisjoint(("neither", "or", "those")):
         tokens = turned(tokens, _NOR)
-    if not words.isdisjoint(("share", "sharing", "same", "alike", "identical", "matching", "match", "equal", "common")):
+    if not words.isdisjoint(("share", "sharing", "same", "alike", "identical", "equal", "common")):
         tokens = _alike(tokens)
     if not words.isdisjoint(("alphabet", "alphabetically")):
         tokens = _by_alphabet(tokens)
@@ -54,8 +54,8 @@ def _alike(tokens: list[Token]) -> list[Token]:
     if found is None or len(several) != 1 or len(counts) == 1:
         return tokens
     many = counts[several[0]]
-    if found["many"] is not None and number(found["many"]) != many:
-        return tokens
+    if number(found["many"]) != many if found["many"] else re.search(f"\\b(?:{PATCH}|{PATCHES})\\b", text):
+        return tokens  # "the blocks of the same color on the red mat" may be of the color of the mat
     row = f"(?<![^ ]){re.escape(found.group())}(?![^ ])"
     return turned(tokens, Turns([(row, f"the {many} {several[0]} blocks")]), all_of_it)
 

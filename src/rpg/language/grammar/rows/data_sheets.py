@@ -27,10 +27,11 @@ DATA_SHEETS: tuple[Turn, ...] = (
      f"((?:is|{MUST} be) (?:directly |immediately )?{PLACE} .+)$", "{1} {2}"),
     ("\\b(?:be )?separated by (?:a )?(?:minimum )?distance of "
      f"(at least |exactly |about |approximately )?({LENGTH})", "be {1} {2} apart"),
-    *((f"^{_RELATIVE} ({THING})(?: ,)? ({THING}) {_STANDS} {side}$", f"{{2}} must be {relation} {{1}}")
+    *((f"^{_RELATIVE} ({THING})(?: ,)? ({THING}) ({_STANDS}) {side}$", f"{{2}} {{3}} {relation} {{1}}")
       for side, relation in _SIDES.items()),
-    *((f"^{_RELATIVE} ({THING})(?: ,)? ({THING}) {_STANDS} {side}(?: ,| and| , and) ({THING}) (?:{_STANDS} )?{other}$",
-       f"{{2}} must be {_SIDES[side]} {{1}} . {{3}} must be {_SIDES[other]} {{1}}")
+    *((f"^{_RELATIVE} ({THING})(?: ,)? ({THING}) ({_STANDS}) {side}(?: ,| and| , and) ({THING}) "
+       f"(?:{_STANDS} )?{other}$",
+       f"{{2}} {{3}} {_SIDES[side]} {{1}} . {{4}} {{3}} {_SIDES[other]} {{1}}")
       for side in _SIDES for other in _SIDES if side != other),
     (f"^the (?:arrangement|configuration|solution|result|state|scene) {_IS} (?:correct|right|valid|accepted|good) "
      "(?:if|when)(?: ,)?(?: and only (?:if|when)(?: ,)?)? (.+)$", "{1}"),

@@ -15,7 +15,7 @@ _TIME = "(?: ,)?(?: at the end| in the end| finally| at last)?(?: ,)?"
 _SOME = f"(?:(?:the|an?|one|both|all|all the|{MANY}) [^,]+?)"
 _THERE = f"((?:{PLACE}|at) (?:the|an?|it|its|them) ?(?:\\w+ ){{0,3}}?\\w+(?: of (?:the|a) (?:\\w+ )?\\w+)?)"
 _THEN = "(?: ,| and| , and| , while| while)"
-_GOES = f"(?:{MUST} (?:be )?(?:{_PUT}|lie|stand|come|go|sit)|comes?|goes|go|belongs?|lies?|stands?|sits?)"
+_GOES = f"(?:{MUST} (?:be )?(?:{_PUT}|lie|stand|come|go|sit)|comes?|goes|go|belongs?)"
 _WANTED = "(?:wanted|required|desired|asked for|needed|requested|what (?:i|we) (?:want|need)|the (?:goal|task|aim))"
 _OF_IT = "(?:whose|of which|in which|the \\w+ \\w* ?of which|where|with)"
 _DONE = {"stack": "(?:stacked|piled)", "sort": "(?:sorted|grouped)", "arrange": "(?:arranged|ordered|aligned|lined)"}
@@ -26,8 +26,7 @@ TURNED_ROUND_AT_ONCE: tuple[Turn, ...] = (
 """What is of nothing as it stands."""
 TURNED_ROUND: tuple[Turn, ...] = (
     # a participle, or what is to be done, first
-    (f"^{_LYING} {_THERE} (?:is|are|{MUST} (?:be|come))(?: found| seen)?{_TIME} ({_SOME}|{THING})$",
-     "{2} must be {1}"),
+    (f"^{_LYING} {_THERE} ((?:is|are|{MUST} be)(?: found| seen)?){_TIME} ({_SOME}|{THING})$", "{3} {2} {1}"),
     (f"^to be {_PUT} ({PLACE} [^:]+?) : (.+)$", "put {2} {1}"),
     *((f"^to be {done}(?: up)?( [^:]+?)? : (.+)$", f"{do} {{2}} {{1}}") for do, done in _DONE.items()),
     (f"^to be {_BUILT}(?: up)? : (.+)$", "build {1}"),
@@ -41,7 +40,7 @@ TURNED_ROUND: tuple[Turn, ...] = (
     (f"^that (.+?)(?: ,)? is (?:what is )?{_WANTED}$", "{1}"),
     (f"^where ({THING}) (?:{MUST} (?:go|be|stand|lie|come)|goes|belongs) is ({PLACE} .+)$", "{1} must be {2}"),
     (f"^the (?:letter|digit|number|block|cube|one) (?:that|which) (?:is|stands|lies|sits|rests) ({PLACE} [^,]+?) "
-     f"(?:{MUST} be|is) ({THING})$", "{2} must be {1}"),
+     f"{MUST} be ({THING})$", "{2} must be {1}"),
     ("^let there (?:come|go) ", "put "),
     # a figure, and far behind it what it is like
     (f"^(an?|one) ({LINE}(?: of [^,]+?)?) {MUST} be {_BUILT}(?: ,)? ({_OF_IT} .+)$", "build {1} {2} {3}"),

@@ -19,7 +19,8 @@ _SORT = "(vowels|consonants|letters|digits|numbers|numerals)"
 UNIDIOMATIC_AT_ONCE: tuple[Turn, ...] = (
     (f"\\ba couple of (?=(?:\\w+ ){{0,2}}{CUBE}s\\b)", "two "),
     (f"\\b(starting|beginning) (?:at|from|on) the ({END}) with (?:the )?{_FIRST}", "{1} with the {3} at the {2}"),
-    (f"\\b(?:the (?:cubes|blocks|ones)|those) {_SHOWING} the {_SORT} (?=(?:\\w|\\d) (?:,|and) )", "the {1} "),
+    (f"\\b(?:the (?:cubes|blocks|ones)|those) {_SHOWING} the {_SORT} (?=(?:\\w|\\d) (?:,|and) )"
+     "(?!.*\\bon (?:them|it)\\b)", "the {1} "),
     ("\\beach one (?=(?:with|has|having) |(?:of|in) (?!the\\b|these\\b|them\\b))", "each "),
     (f"\\bthe ({COLOR}) (?=(?:are|have) (?:all )?to be )", "the {1} blocks "),
     # a figure and one part of it
@@ -40,7 +41,8 @@ UNIDIOMATIC: tuple[Turn, ...] = (
     # each other
     ("\\bthe one (beside|behind|on|upon|above|next to|in front of) the other\\b", "one {1} the other"),
     # what is wanted, and who does it
-    ("\\b(?:is|are) (?:requested|intended|desired|required|wanted|asked|planned|due|bound) to (?=\\w+ )", "must "),
+    ("^(?!.*\\b(?:no|none|neither|nothing|nobody|not)\\b)(.+?) (?:is|are) (?:requested|intended|desired|required|"
+     "wanted|asked|planned|due|bound) to (?=\\w+ )", "{1} must "),
     ("^it is (?:wished|requested|asked|intended|demanded|prescribed|planned) that ", ""),
     (f"^it {MUST} not be (?:so |the case )?that ", "it is forbidden that "),
     *((f"^one {does}s (?=(?:the|an?|both|all|{MANY}) )", f"{does} ") for does in _DOES.strip("(?:)").split("|")),

@@ -227,7 +227,7 @@ def _only_first_counted(first: Meaning, item: Meaning) -> bool:
     """ "3 red/blue": no three red ones and a blue one."""
     if not isinstance(first, Noun) or first.amount is None:
         return False
-    return isinstance(item, Noun) and item.amount is None and item.det == "bare"
+    return isinstance(item, Noun) and item.amount is None and item.det == "bare" and bool(item.traits.colors)
 
 
 _AS_WELL = ("and then", "as well as", "along with", "together with", "and also")
@@ -259,8 +259,6 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
         looks = item.traits if isinstance(item, Noun) else Traits()
         if not (looks.colors if summed else looks.labels or p.words[at] != "/" or p.tokens[at - 1].kind != "number"):
             continue  # "2/4 red blocks": no 2 and four red ones
-        if p.words[at] == "/" and looks.colors and _only_first_counted(items[-1], item):
-            continue
         like = _like(items[-1], item) if p.words[j - 1] in ("one", "ones") else item
         item = _weighed(items, like, op == "and" and p.words[at] in (",", ";"))
         if _no_item(p, items[-1], item, bool(joined), at) or so_many_of_it(p, items[-1], item, at):
@@ -338,6 +336,8 @@ def _no_item(p: Parser, before: Meaning, item: Meaning, joined: bool, at: int) -
         return (both and _amid_colors(p, at)) or of_both(before, item)
     if getattr(item, "det", "") == "each" and isinstance(item, Noun) and (item.head, item.traits) == ("any", Traits()):
         return True  # "four red blocks, each one touching ..."
+    if p.words[at] == "/" and _only_first_counted(before, item):
+        return True
     told = isinstance(item, Noun) and bare_color(item) and (isinstance(before, Structure) or _of_sizes(before))
     return told or (isinstance(item, Noun) and (mere_size(item) or _of_them(before, item)))
 

@@ -310,7 +310,7 @@ _CANNOT_BOTH_BE = frozenset({"contradiction", "support-cycle", "self-reference"}
 _PLAINER: tuple[Callable[[list[Token]], tuple[list[Token], list[str]]], ...] = (
     with_names, without_names, with_figures, with_color_classes, without_glosses, without_feelings, in_centimetres,
     with_colors, with_kinds, without_materials, without_praise, as_a_story,
-    with_colors, with_kinds, without_materials, without_praise, singled_out,
+    singled_out,
 )  # fmt: skip
 """What is put in plain words before the words are looked up, each with notes of what it meant."""
 _OTHERWISE: tuple[Callable[[list[Token]], list[Token] | None], ...] = (

@@ -22,6 +22,11 @@ _TYPED = {
     "tht": "that", "ths": "this", "th": "the", "frnt": "front", "kk": "okay",
 }  # fmt: skip
 """Words without some of their letters."""
+_ENDS = frozenset({"left", "right", "front", "back", "top", "bottom", "near", "far"})
+_ASIDE = [["the", side, "of"] for side in ("left", "right")]
+"""Between two ends, and before such words, "2" is "to"."""
+_TOLD_BY = frozenset({"one", "ones", *lexicon.BLOCK})
+"""Before these "blk" is a colour."""
 _HURRIED = frozenset({*_TYPED, "u", "ur", "r", "pls", "plz", "thx", "ty", "gimme", "lemme", "lol", "dont", "gonna",
                       "em", "wanna", "cant", "idk"})  # fmt: skip
 """Who types these types "1" for "one" as well."""
@@ -37,8 +42,8 @@ _SEEN = lexicon.NUMBER.keys() | {"a", "an", "the"}
 """Behind these letters they are "be" and "see"."""
 _TOLD = lexicon.BLOCK.keys() | lexicon.PATCH.keys() | {"one", "it", "them", "be", "is", "and", "then", "um", "uh"}
 """Behind these "like" may be a filler."""
-_MARKS = frozenset({"u", "n", "b", "c", "k", "r", "1", "2", "like", "kind", "sort", "mean", "bit", *_TYPED,
-                    *(word for pair in _GLUED for word in pair)})  # fmt: skip
+_MARKS = frozenset({"u", "n", "b", "c", "k", "r", "1", "2", "like", "kind", "sort", "mean", "bit", "blk", "pcs", "ltr",
+                    *_TYPED, *(word for pair in _GLUED for word in pair)})  # fmt: skip
 
 
 def as_typed(tokens: list[Token]) -> list[Token]:
@@ -79,6 +84,14 @@ def _meant(tokens: list[Token], words: list[str], at: int, hurried: bool) -> Ite
         yield [_TYPED[token.word]], at + 1
     elif token.word == "1" and hurried and before in lexicon.COLOR and behind not in lexicon.BLOCK:
         yield ["one"], at + 1
+    elif token.word == "blk":
+        yield ["black" if behind in _TOLD_BY and before not in lexicon.COLOR else "block"], at + 1
+    elif token.word == "ltr":
+        yield ["from", "left", "to", "right"], at + 1
+    elif token.word == "pcs" and words[at + 1 : at + 3] == [".", ")"]:
+        yield ["blocks"], at + 2
+    elif token.word == "2" and _from_end_to_end(words, at):
+        yield ["to"], at + 1
     elif token.word == "2":
         beside = before in ("next", "nxt", "close") and words[at - 2 : at - 1] != ["the"]
         counted = any(lexicon.BLOCK.get(word) for word in words[at + 1 : at + 4])
@@ -91,6 +104,15 @@ def _meant(tokens: list[Token], words: list[str], at: int, hurried: bool) -> Ite
         yield meant, at + 1
     else:
         yield from _filling(tokens, words, at)
+
+
+def _from_end_to_end(words: list[str], at: int) -> bool:
+    """ "left 2 right", "2 the left of", and no "one left, 2 right of it"."""
+    before, behind, then = (words[n] if 0 <= n < len(words) else "" for n in (at - 1, at + 1, at + 2))
+    ahead = words[max(at - 4, 0) : max(at - 1, 0)]
+    told = (then, *ahead) if "of" not in ahead else (then,)
+    counted = then == "of" or any(word.isdigit() or word in lexicon.NUMBER for word in told)
+    return words[at + 1 : at + 4] in _ASIDE or (before in _ENDS and behind in _ENDS and not counted)
 
 
 def _done(word: str) -> bool:

@@ -50,7 +50,7 @@ _PIECES = re.compile(
   | (?P<aside>(?:\b(?:i\.e\.|e\.g\.|viz\.)|(?<=[,:(]\ )for\ (?:example|instance)\b(?!\ [A-Z]{2}))[,:]?)
   | (?P<short>\b(?:max|min)\b\.?(?=\s*(?:\d|one\b|two\b|three\b|four\b|five\b))|\b(?:max|min|approx)\.(?=\s))
   | (?P<numbered>\b(?:[Nn]o|[Nn]um)\.(?=\s?\d\b)|\b[Nn]r\b\.?(?=\s?\d\b)|[#№](?=\s?\d\b))
-  | (?P<word>(?<!\w)['’]em\b|\bw/o?(?=\s))
+  | (?P<word>(?<!\w)['’]em\b|\bw/(?:o(?:ut)?)?(?=\s))
   | (?P<bound>(?:[≤≥]|[<>]=)(?=\s*\d))
   | (?P<zero>\b(?:t\s?=\s?0|(?:time(?:\s?step)?|timestep|step)\s(?:0|zero))(?!\w|\.\d))
   | (?P<negative>(?<=\s)[-−–](?=\d+(?:\.\d+)?\s*(?:°|deg)))

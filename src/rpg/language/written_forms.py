@@ -18,7 +18,7 @@ CONTRACTIONS = {
     "shouldnt": "should not", "mustnt": "must not", "cant": "can not", "wouldnt": "would not", "wasnt": "was not",
     "ontop": "on top", "inbetween": "in between", "infront": "in front", "gotta": "have to", "wanna": "want to",
     "gimme": "give me", "lemme": "let me", "gonna": "going to", "ur": "your", "'em": "them", "em": "them",
-    "w/": "with", "w/o": "without",
+    "w/": "with", "w/o": "without", "w/out": "without",
     "onto": "onto", "into": "into",
 }  # fmt: skip
 

@@ -67,10 +67,9 @@ def together(pieces: Sequence[Piece], found: Gathered, told_of: Told) -> tuple[s
     if len(lots) > 1:
         if "each" not in kinds or kinds.index("each") > kinds.index("lot") or any(lot.count is None for lot in lots):
             raise Unclear
-        if size not in (None, sum(lot.count or 0 for lot in lots)) or told_of.total not in (
-            None,
-            count * sum(lot.count or 0 for lot in lots),
-        ):
+        high = sum(lot.count or 0 for lot in lots)
+        sizes = {size, *(piece.value for piece in pieces if piece.kind == "each")} - {None, high}
+        if sizes or told_of.total not in (None, count * high):
             raise Unclear
         return f"Build {count} towers of {said_of(lots)} each.", []
     look = f"{lots[0].look} " if lots else ""

@@ -213,12 +213,14 @@ def _one_each(pieces: list[Piece]) -> list[Piece]:
     lots = [piece for piece in pieces if piece.kind == "lot"]
     ones = all(p.words.startswith("one ") and p.named.get("noun") in (None, "one") for p in lots)
     count = [piece.value for piece in pieces if piece.kind == "figure"]
-    kinds = {piece.kind for piece in pieces}
+    kinds = {"size" if piece.kind == "each" and piece.value else piece.kind for piece in pieces}
     if not ones or count != [len(lots)] or "size" not in kinds or kinds & {"slot", "place", "over", "under"}:
         return pieces
     found: list[Piece] = []
     for piece in pieces:
-        if piece.kind == "lot":
+        if piece.kind == "each" and piece.value:
+            found.append(replace(piece, kind="size"))  # "three blocks each"
+        elif piece.kind == "lot":
             named = {name: said for name, said in piece.named.items() if name in ("color", "size")}
             found += [Piece("slot", "one", "one"), replace(piece, named=named | {"noun": "blocks"})]
         else:

@@ -26,6 +26,7 @@ from rpg.language.grammar.rows.contrasts import CONTRASTS, CONTRASTS_ACROSS
 from rpg.language.grammar.rows.corners import corners_again
 from rpg.language.grammar.rows.corners_told import CORNERS_ACROSS, CORNERS_AT_ONCE, CORNERS_TOLD
 from rpg.language.grammar.rows.counts import COUNTED, SHARED_OUT
+from rpg.language.grammar.rows.data_sheets import DATA_SHEETS
 from rpg.language.grammar.rows.distances import DISTANCES, DISTANCES_AT_ONCE, SPACED_AT_ONCE
 from rpg.language.grammar.rows.each_side import EACH_SIDE
 from rpg.language.grammar.rows.everyday import EVERYDAY, EVERYDAY_AT_ONCE
@@ -52,6 +53,7 @@ from rpg.language.grammar.rows.lots_told import LOTS, LOTS_AT_ONCE
 from rpg.language.grammar.rows.lying_there import LYING_THERE_AT_ONCE
 from rpg.language.grammar.rows.measured_so import MEASURED_SO
 from rpg.language.grammar.rows.moved_off import MOVED_OFF_AT_ONCE, OFF_ONTO
+from rpg.language.grammar.rows.nominal import NOMINAL, NOMINAL_AT_ONCE
 from rpg.language.grammar.rows.not_at_end import NOT_THERE, NOT_THERE_AT_ONCE, not_at_end
 from rpg.language.grammar.rows.not_consecutive import not_consecutive
 from rpg.language.grammar.rows.noted_down import NOTED_DOWN
@@ -101,10 +103,13 @@ from rpg.language.grammar.rows.told_once import TOLD_ONCE
 from rpg.language.grammar.rows.tower_orders import UPRIGHT_AT_ONCE, UPWARD, UPWARD_AT_ONCE
 from rpg.language.grammar.rows.towers import TOWERS, TOWERS_AT_ONCE
 from rpg.language.grammar.rows.turned import Turns, all_of_it, turned
+from rpg.language.grammar.rows.turned_round import TURNED_ROUND, TURNED_ROUND_AT_ONCE
 from rpg.language.grammar.rows.two_rows import ROWS_PLACED, TWO_ROWS_AT_ONCE, rows_by_number
+from rpg.language.grammar.rows.unidiomatic import UNIDIOMATIC, UNIDIOMATIC_AT_ONCE
 from rpg.language.grammar.rows.verbs_of_place import VERBS_OF_PLACE
 from rpg.language.grammar.rows.vocabulary import MUST
 from rpg.language.grammar.rows.way_behind import PATTERNS_LINED, WAY_BEHIND
+from rpg.language.grammar.rows.which_they_are import WHICH_THEY_ARE
 from rpg.language.grammar.rows.wished_aloud import WISHED_ALOUD
 from rpg.language.grammar.rows.wished_such import WISHED_SUCH, WISHED_SUCH_AT_ONCE
 from rpg.language.grammar.rows.word_again import word_again
@@ -114,6 +119,7 @@ from rpg.language.tokens import Token
 
 _OF_ALL = (
     *NOTED_DOWN,
+    *UNIDIOMATIC_AT_ONCE,
     *IN_WRITING,
     *IN_CONVERSATION,
     *CONTRASTS,
@@ -186,9 +192,12 @@ _OF_ALL = (
     *WISHED_SUCH_AT_ONCE,
     *HOW_FAR_AT_ONCE,
     *BESIDE_IT_AT_ONCE,
+    *NOMINAL_AT_ONCE,
+    *TURNED_ROUND_AT_ONCE,
 )
 """The rows of every sentence."""
 _OF_THE_UNREAD = (
+    *WHICH_THEY_ARE,
     *SAID_AGAIN,
     *PLAIN_TALK,
     *ORDERED,
@@ -236,6 +245,10 @@ _OF_THE_UNREAD = (
     *SIZES_TOLD,
     *CORNERS_TOLD,
     *BARRED_THERE,
+    *DATA_SHEETS,
+    *NOMINAL,
+    *TURNED_ROUND,
+    *UNIDIOMATIC,
 )
 """The rows of a sentence that cannot be read as it stands."""
 _LAST_ACROSS = (*WAY_BEHIND, *CORNERS_ACROSS, *MEASURED_SO, *ACROSS)

@@ -148,7 +148,7 @@ WORDIER: tuple[Turn, ...] = (
     ("(?<!filled )\\b(square|rectangle|circle|triangle) whose (?:outline|perimeter) (?:is|consists of|is made of|is "
      "formed by) (.+)$", "{1} of {2}"),
     ("\\bflat (in (?:the (?:form|shape) of )?an? \\w+)$", "{1}"),
-    (f"^(each of .+?|[^,]+? {_PATCH}s?|[^,]+? patches) receives? (.+)$", "{1} gets {2}"),
+    (f"^(each of .+?|[^,]+? {_PATCH}s?|[^,]+? patches)(?: {MUST})? receives? (.+)$", "{1} gets {2}"),
     # together and apart
     ("^(.*\\b(?:together|grouped|group|groups|sorted|gathered)\\b.*?)(?: ,)?(?: and)? (?:away|apart|separate|"
      "separated) from (?:the )?(?:blocks of |those of |ones of )?(?:the )?other colors$", "{1}"),

@@ -223,6 +223,13 @@ def _joint(p: Parser, comma: int, op: str | None, before: Meaning) -> tuple[int,
     return joined, p.words[comma] if joined else ""
 
 
+def _only_first_counted(first: Meaning, item: Meaning) -> bool:
+    """ "3 red/blue": no three red ones and a blue one."""
+    if not isinstance(first, Noun) or first.amount is None:
+        return False
+    return isinstance(item, Noun) and item.amount is None and item.det == "bare" and bool(item.traits.colors)
+
+
 _AS_WELL = ("and then", "as well as", "along with", "together with", "and also")
 
 
@@ -329,6 +336,8 @@ def _no_item(p: Parser, before: Meaning, item: Meaning, joined: bool, at: int) -
         return (both and _amid_colors(p, at)) or of_both(before, item)
     if getattr(item, "det", "") == "each" and isinstance(item, Noun) and (item.head, item.traits) == ("any", Traits()):
         return True  # "four red blocks, each one touching ..."
+    if p.words[at] == "/" and _only_first_counted(before, item):
+        return True
     told = isinstance(item, Noun) and bare_color(item) and (isinstance(before, Structure) or _of_sizes(before))
     return told or (isinstance(item, Noun) and (mere_size(item) or _of_them(before, item)))
 

@@ -32,8 +32,18 @@ def _looks(p: Parser, j: int) -> Results[Traits]:
     """ "that are not red", "that is not a letter", "without letters on them"."""
     k, shown = p.any_of(j, _ARE_NOT), p.any_of(j, _SHOW_NO)
     for named, end in color(p, k) if k else ():
+        yield from _nor(p, Traits(colors=(named,)), end)
         yield Traits(colors=(named,)), end
     at = p.opt(k or shown, "a", "an", "any") if k or shown else 0
     if at and p.words[at] in _KINDS:
         end = p.any_of(at + 1, ("on them", "on it")) if shown else p.opt(at + 1, "block", "blocks", "cube", "cubes")
         yield Traits(kind=_KINDS[p.words[at]]), end or at + 1
+
+
+def _nor(p: Parser, first: Traits, j: int) -> Results[Traits]:
+    """ "(that are not red) and not blue (and not green)"."""
+    k = p.any_of(j, ("and not",))
+    for named, end in color(p, k) if k else ():
+        both = replace(first, colors=(*first.colors, named), either=True)
+        yield from _nor(p, both, end)
+        yield both, end

@@ -1,0 +1,73 @@
+"""What people say who think in another language, or write a specification, and is not quite idiomatic: "from my left to
+my right", "starting at the left with the biggest", "the one beside the other", "not allowed: red on blue", as rows."""
+
+from __future__ import annotations
+
+from rpg.language.grammar.rows.said_short import PLACE, THING
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, END, LINE, MANY, MUST
+
+_WHO = "(?:my|your|our|his|her|(?:the |a )?(?:viewer|observer|robot|camera|reader|onlooker|spectator) 's)"
+_FIRST = "(biggest|largest|highest|smallest|lowest)(?: one| number| digit)?"
+_PART = "(lowest|bottom|uppermost|topmost|top|highest|middle|leftmost|rightmost)(?: one| block| cube)?"
+_BARRED = "(?:not (?:allowed|permitted|ok|okay)|forbidden|prohibited|disallowed|banned|no go)"
+_DOES = "(?:put|place|stack|set|lay|build|make|move|take|arrange|form|bring)"
+_SHOWING = "(?:with|(?:that|which) (?:show|bear|carry|have)|showing|bearing|carrying)"
+_HAS = "(?:contains?|comprises?|have|has|consists? of)"
+_SORT = "(vowels|consonants|letters|digits|numbers|numerals)"
+
+UNIDIOMATIC_AT_ONCE: tuple[Turn, ...] = (
+    (f"\\ba couple of (?=(?:\\w+ ){{0,2}}{CUBE}s\\b)", "two "),
+    (f"\\b(starting|beginning) (?:at|from|on) the ({END}) with (?:the )?{_FIRST}", "{1} with the {3} at the {2}"),
+    (f"\\b(?:the (?:cubes|blocks|ones)|those) {_SHOWING} the {_SORT} (?=(?:\\w|\\d) (?:,|and) )"
+     "(?!.*\\bon (?:them|it)\\b)", "the {1} "),
+    ("\\beach one (?=(?:with|has|having) |(?:of|in) (?!the\\b|these\\b|them\\b))", "each "),
+    (f"\\bthe ({COLOR}) (?=(?:are|have) (?:all )?to be )", "the {1} blocks "),
+    # a figure and one part of it
+    *((f"^(?:the|an?|one) ({LINE}) (?:{MUST} )?{_HAS} (?:exactly )?({MANY} (?:\\w+ )?{CUBE}s)(?: ,)? {part} "
+       f"(?:{MUST} be|is) (.+)$", "a {1} of {2} , the {3} one {4}")
+      for part in (f"of which the {_PART}", f"the {_PART} of which")),
+)  # fmt: skip
+"""What is read otherwise, or not at all, as it stands."""
+UNIDIOMATIC: tuple[Turn, ...] = (
+    # orders
+    (f"\\bfrom {_WHO} ({END})(?: side)? to (?:the |{_WHO} )?({END})(?: side)?\\b", "from {1} to {2}"),
+    ("^(?:the )?stacking (?:order|sequence)(?: is)?(?: ,| \\()? ?(?:from )?(?:the )?(bottom|top) to "
+     "(?:the )?(top|bottom)(?: \\))?(?: is| :)? (.+)$", "stack from {1} to {2} : {3}"),
+    (f"^((?:four|4) [^,]+?)(?: ,)? (?:{MUST} )?(?:be|are|build|form|make(?: up)?|mark) the (?:four )?corners of an? "
+     "(?:imaginary )?square$", "{1} must form a square"),
+    ("\\bin (?:rising|growing|mounting|climbing) order\\b", "in ascending order"),
+    ("\\bin (?:falling|sinking|shrinking) order\\b", "in descending order"),
+    # each other
+    ("\\bthe one (beside|behind|on|upon|above|next to|in front of) the other\\b", "one {1} the other"),
+    # what is wanted, and who does it
+    ("^(?!.*\\b(?:no|none|neither|nothing|nobody|not)\\b)(.+?) (?:is|are) (?:requested|intended|desired|required|"
+     "wanted|asked|planned|due|bound) to (?=\\w+ )", "{1} must "),
+    ("^it is (?:wished|requested|asked|intended|demanded|prescribed|planned) that ", ""),
+    (f"^it {MUST} not be (?:so |the case )?that ", "it is forbidden that "),
+    *((f"^one {does}s (?=(?:the|an?|both|all|{MANY}) )", f"{does} ") for does in _DOES.strip("(?:)").split("|")),
+    (f"^there (?:is|are) to ({_DOES}) ", "{1} "),
+    (f"^is there (?:an?|any) (?:way|chance|possibility|option)(?: for| that) ({THING}) to ", "{1} must "),
+    (f"^(?:as for|regarding|concerning|as regards|with regard to) ({THING}) [:,] ({_DOES}) it ", "{2} {1} "),
+    (f"^(?:as for|regarding|concerning|as regards|with regard to) ({THING}) [:,] it (?={MUST} |is |goes |belongs )",
+     "{1} "),
+    ("\\b(each|every) (block|cube|one) (?:in|of|with|having) another color\\b", "{1} {2} in a different color"),
+    ("^are ([^,]+?) able to be ", "can {1} be "),
+    ("\\bbe interchanged\\b", "be swapped"),
+    ("\\b(?:at|by) the side of (?=\\w)", "beside "),
+    # so, too
+    (f"\\b({THING}) (?:likewise|similarly|in turn|correspondingly) (?=(?:{PLACE}|over) )", "{1} "),
+    ("^(?:and )?the same (?:goes|applies|holds|is true|is valid|is to be done) (?:for|to|of|with) ", "same for "),
+    # what must not be
+    (f"^{_BARRED} : ({THING}(?: and {THING})?|the \\w+) (?:standing |lying |being |sitting )?"
+     f"(touching|{PLACE}) (.+)$", "{1} must not be {2} {3}"),
+    # where it is
+    (f"\\b(right|left) from (?={THING})", "{1} of "),
+)  # fmt: skip
+"""What is looked for, and what is said instead."""
+WORDS = (
+    "viewer observer onlooker spectator regarding concerning regards banned disallowed prohibited "
+    "correspondingly imaginary valid interchanged mounting climbing growing falling sinking "
+    "shrinking rising",
+)
+"""Words that these take besides those that are read anyway."""

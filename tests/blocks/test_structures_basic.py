@@ -192,6 +192,13 @@ def test_spells_from_left_to_right_and_nothing_else_adjoins() -> None:
     assert not spell(word, s2=(0, -0.16))
 
 
+def test_what_is_told_to_be_beside_a_word_may_adjoin_it() -> None:
+    word = Spells(blocks=(*CAT, "s3"), word="cat", beside=("s3",))
+    assert spell(word, s3=(0, -0.1)) and spell(word, s3=(0.05, 0))
+    assert not spell(word, s3=(0, 0, 1))
+    assert not spell(word, s2=(0, -0.095), s3=(0, -0.0475)), "in a gap it is read"
+
+
 def test_a_plain_block_in_a_gap_spoils_a_word() -> None:
     objects = world(letters("CAT"), plain(red="red"))
     word = Spells(blocks=CAT, word="CAT")

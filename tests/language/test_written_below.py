@@ -26,6 +26,11 @@ def test_after_a_letter_is_to_its_right() -> None:
     assert "First, the A block" in means("Put the red block on the mat after the A is on the B.")
 
 
+def test_what_is_told_beside_a_word_may_adjoin_it() -> None:
+    goal = task("Spell CAT and put the yellow block right after the last letter.").goal
+    assert [atom.beside for atom in atoms(goal) if isinstance(atom, Spells)] == [("yellow_block",)]
+
+
 def test_in_a_tower_below_is_below() -> None:
     assert code_of("Spell CAT down a tower and below it DOG.")
 

@@ -289,6 +289,7 @@ class Structures(Atoms):
         readable: bool = True,
         excused: Names = (),
         covered: Names = (),
+        beside: Names = (),
         gap_edges: float = 1.5,
     ) -> Verdict:
         """Cubes among `blocks` spell `word` from readable faces, and nothing else adjoins it.
@@ -305,6 +306,7 @@ class Structures(Atoms):
             readable=readable,
             excused=excused,
             covered=covered,
+            beside=beside,
             gap_edges=gap_edges,
         )
 
@@ -317,6 +319,7 @@ class Structures(Atoms):
         text: str | None = None,
         excused: Names = (),
         covered: Names = (),
+        beside: Names = (),
         gap_edges: float = 1.5,
     ) -> Verdict:
         """All of `blocks`, read in a row from left to right (or down a stack), form a true equation.
@@ -331,5 +334,6 @@ class Structures(Atoms):
             text=text,
             excused=excused,
             covered=covered,
+            beside=beside,
             gap_edges=gap_edges,
         )

@@ -1,8 +1,8 @@
 """Conditions of one goal that override what a structure of it would ask by itself.
 
 A cube that the goal turns in the plane of its face, or that must stay where it is, need not be upright where it is
-read; one that the goal puts a block on may have it there; a stack that the goal puts on another block need not stand
-on the table.
+read; one that the goal puts a block on may have it there, and a block that it puts beside a text may adjoin it; a stack
+that the goal puts on another block need not stand on the table.
 """
 
 from __future__ import annotations
@@ -11,9 +11,12 @@ from collections.abc import Iterator
 
 from rpg.ir import goal as g
 from rpg.ir.node import members
-from rpg.ir.relations import Above, Facing, On, Stayed
+from rpg.ir.relations import Above, Adjacent, Behind, Beside, Facing, InFrontOf, LeftOf, On, RightOf, Stayed, Touching
 from rpg.ir.structures import Cells, Equation, Row, Spells, Stack
 from rpg.ir.walk import children, transform
+
+_Beside = LeftOf | RightOf | InFrontOf | Behind | Beside | Adjacent | Touching
+_BESIDE = (LeftOf, RightOf, InFrontOf, Behind, Beside, Adjacent, Touching)
 
 
 def reconcile(goal: g.Goal) -> g.Goal:
@@ -23,6 +26,7 @@ def reconcile(goal: g.Goal) -> g.Goal:
     turned |= {name for atom in asked if isinstance(atom, Stayed) for name in members(atom.a)}
     resting = [atom for atom in asked if isinstance(atom, On)]
     lifting = [atom for atom in asked if isinstance(atom, On | Above)]
+    beside = [atom for atom in asked if isinstance(atom, _BESIDE)]
     read = {id(atom) for atom in asked if getattr(atom, "readable", isinstance(atom, Equation))}
 
     def change(node: g.Goal) -> g.Goal:
@@ -38,6 +42,10 @@ def reconcile(goal: g.Goal) -> g.Goal:
             covered = tuple(name for name in node.blocks if name in under or name in node.covered)
             if covered != node.covered:
                 node = node.model_copy(update={"covered": covered})
+        if isinstance(node, Spells | Equation) and node.along == "row":
+            told = {name for atom in beside for name in _others(atom, node.blocks)}
+            if told - {*node.beside}:
+                node = node.model_copy(update={"beside": tuple(sorted({*node.beside, *told}))})
         if isinstance(node, Stack) and not node.raised and any(_lifts(x, node) for x in lifting):
             node = node.model_copy(update={"raised": True})
         return node
@@ -67,6 +75,13 @@ def _covered(on: On, read: tuple[str, ...]) -> Iterator[str]:
     """The block among those that are read on which `on` puts another one."""
     if isinstance(on.b, tuple) and set(read).isdisjoint(members(on.a)):
         yield from (name for name in on.b if name in read)
+
+
+def _others(atom: _Beside, read: tuple[str, ...]) -> Iterator[str]:
+    """The blocks that `atom` puts beside some of those that are read."""
+    for one, other in ((atom.a, atom.b), (atom.b, atom.a)):
+        if not set(read).isdisjoint(members(one)) and set(read).isdisjoint(members(other)):
+            yield from members(other)
 
 
 def _lifts(over: On | Above, stack: Stack) -> bool:

@@ -160,7 +160,7 @@ class Spells(Node):
     """Cubes among `blocks` spell `word` from readable faces, and nothing else adjoins it.
 
     `along` "row": left to right on top faces; "stack": down a tower on the viewer's side, top first. `reverse` reads
-    from the other end.
+    from the other end. `beside`: blocks that another condition puts beside these; they may adjoin a row.
     """
 
     kind: Literal["spells"] = "spells"
@@ -171,6 +171,7 @@ class Spells(Node):
     readable: bool = True
     excused: Names = ()
     covered: Names = ()
+    beside: Names = ()
     gap_edges: Edges = 1.5
 
 
@@ -187,4 +188,5 @@ class Equation(Node):
     text: str | None = None
     excused: Names = ()
     covered: Names = ()
+    beside: Names = ()
     gap_edges: Edges = 1.5

@@ -30,6 +30,7 @@ NAME_FIELDS = (
     "pattern",
     "excused",
     "covered",
+    "beside",
 )
 
 

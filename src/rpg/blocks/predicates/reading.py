@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 
 from rpg.blocks.geometry import footprint_gap, rests_on
 from rpg.blocks.predicate import NearMiss
@@ -30,11 +30,18 @@ def legible(state: BlockState, names: Iterable[str], normal: Vec3, up: Vec3, exc
 
 
 def apart(
-    state: BlockState, line: Line, gap_edges: float, covered: Sequence[str] = (), *, symbols: bool = False
+    state: BlockState,
+    line: Line,
+    gap_edges: float,
+    covered: Sequence[str] = (),
+    *,
+    symbols: bool = False,
+    beside: Collection[str] = (),
 ) -> Verdict:
     """Nothing else adjoins a row: no block on it or next in its line, no symbol close to it.
 
-    Cubes that are `covered` may have one on them. `symbols`: only blocks that show one are looked at.
+    Cubes that are `covered` may have one on them, and those `beside` may adjoin it, but in none of its gaps.
+    `symbols`: only blocks that show one are looked at.
     """
     sequence = line.sequence
     margin = 1.0
@@ -43,9 +50,11 @@ def apart(
         lettered = bool(traits.symbol(other))
         if symbols and not lettered:
             continue
-        margin = min(margin, _reading_on(state, line, gap_edges if lettered else ADJOINS_EDGES, other))
+        told = other in beside
+        reach = 0.0 if told else gap_edges if lettered else ADJOINS_EDGES
+        margin = min(margin, _reading_on(state, line, reach, other))
         for name in sequence:
-            margin = min(margin, _closeness(state, name, other, lettered, name in covered))
+            margin = min(margin, _closeness(state, name, other, lettered and not told, name in covered))
     return holds(margin) if margin != 0.0 else FALSE
 
 
@@ -62,7 +71,8 @@ def _closeness(state: BlockState, name: str, other: str, lettered: bool, covered
 
 
 def _reading_on(state: BlockState, line: Line, gap_edges: float, other: str) -> float:
-    """How far `other` is from being taken for one of the row's cubes: before its first, after its last, or in a gap."""
+    """How far `other` is from being taken for one of the row's cubes: before its first, after its last, or in a gap;
+    with no `gap_edges`, in a gap alone."""
     ux, uy = line.direction
     aside = math.inf
     for end, sign in ((line.sequence[0], -1.0), (line.sequence[-1], 1.0)):
@@ -74,6 +84,8 @@ def _reading_on(state: BlockState, line: Line, gap_edges: float, other: str) -> 
             return 1.0
         aside = min(aside, across / edge)
         if sign * (dx * ux + dy * uy) > 0.0:
+            if not gap_edges:
+                return 1.0
             return min(1.0, footprint_gap(state, end, other) / (gap_edges * edge) - 1.0)
     return aside - 1.0
 

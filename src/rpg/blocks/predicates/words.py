@@ -47,7 +47,7 @@ def well_read(state: BlockState, sequence: Sequence[str], node: Spells | Equatio
     row = READING if node.gap_edges == READING.gap_edges else row_for(node.gap_edges)
     parts = [
         holds(min(lined_up(line, state, row), spacing(row, sequence, state))),
-        apart(state, line, node.gap_edges, node.covered),
+        apart(state, line, node.gap_edges, node.covered, beside=node.beside),
     ]
     if readable:
         parts.append(legible(state, sequence, UP, AWAY, node.excused))
@@ -82,7 +82,7 @@ def text_misses(
         else:
             yield NearMiss(f"{middle} out of the line", shift(state, [middle], -2.0 * edge, 0.0))
             yield gap_too_large(row_for(node.gap_edges), best_line(state, sequence), state)
-    others = strangers(state, sequence)
+    others = [name for name in strangers(state, sequence) if stack or name not in node.beside]
     if others and not (stack and sequence[0] in node.covered):
         yield NearMiss(f"{others[0]} adjoins the text", _adjoin(state, others[0], sequence, stack))
     if readable:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.language.meaning import code_of, means
+from tests.language.meaning import assert_means, code_of, means
 
 
 @pytest.mark.parametrize(
@@ -27,8 +27,9 @@ def test_after_a_letter_is_to_its_right() -> None:
 
 
 def test_what_is_told_beside_a_word_may_adjoin_it() -> None:
-    goal = task("Spell CAT and put the yellow block right after the last letter.").goal
-    assert [atom.beside for atom in atoms(goal) if isinstance(atom, Spells)] == [("yellow_block",)]
+    text = "Spell CAT and put the yellow block right after the last letter."
+    looks = {"C": 1, "A": 1, "T": 1, "yellow": 1}
+    assert_means(text, {"assets": looks, "hold": ["C A T yellow"], "miss": ["yellow C A T", "C A yellow T"]})
 
 
 def test_in_a_tower_below_is_below() -> None:

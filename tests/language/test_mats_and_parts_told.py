@@ -1,4 +1,4 @@
-"""What mats may hold, blocks that are all on some mat, parts of the table that are cleared, and kinds told with "if"."""
+"""What mats may hold, blocks that are all on some mat, parts of the table that are cleared, kinds told with "if"."""
 
 from __future__ import annotations
 

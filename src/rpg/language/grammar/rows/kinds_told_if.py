@@ -7,7 +7,7 @@ from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import COLOR, MUST
 
 _BLOCK = "(block|cube|brick)"
-_IF = "(?:if|when|whenever) (?:an?|the|any|one)"
+_IF = "(?:if|when|whenever) (?:an?|any)"
 _GOES = f"(?:it (?:{MUST} (?:go|be|be put|be placed|lie|end up)|goes|belongs|is)|(?:put|place|move|bring|set) it)"
 _PLACE = "((?:on|onto|in|into|to) (?:the|an?) [^,;]+?)"
 _NEXT = "(?: ,| ;| and| , and| ; and| , but| but| while| , while)"

@@ -183,7 +183,8 @@ _OPPOSITE = {
     "opposite corner": "opposite_corner", "diagonally opposite corner": "opposite_corner",
     "opposite one": "opposite_corner", "opposite corners": "opposite_corners",
     "diagonally opposite corners": "opposite_corners",
-    **dict.fromkeys(("different corners", "separate corners", "corners of their own"), "different_corners"),
+    **dict.fromkeys(("different corners", "separate corners", "corners of their own", "three different corners",
+                     "two different corners"), "different_corners"),
     **dict.fromkeys(("different corner", "separate corner", "corner of its own"), "different_corner"),
     **{f"corner {diagonally}{opposite}{it}": "opposite_corner" for diagonally in ("", "diagonally ")
        for opposite in ("opposite", "across") for it in ("", " it", " to it", " from it", " of it", " to that")

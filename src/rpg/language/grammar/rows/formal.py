@@ -20,6 +20,7 @@ from rpg.language.grammar.rows.besides import BESIDES, BESIDES_AT_ONCE
 from rpg.language.grammar.rows.borne_first import BORNE_FIRST
 from rpg.language.grammar.rows.but_one import BUT_ONE, BUT_ONE_AT_ONCE
 from rpg.language.grammar.rows.by_turns import BY_TURNS_AT_ONCE
+from rpg.language.grammar.rows.cleared_parts import CLEARED_PARTS
 from rpg.language.grammar.rows.column_words import column_words
 from rpg.language.grammar.rows.contrasted import CONTRASTED
 from rpg.language.grammar.rows.contrasts import CONTRASTS, CONTRASTS_ACROSS
@@ -42,6 +43,7 @@ from rpg.language.grammar.rows.in_steps import IN_STEPS
 from rpg.language.grammar.rows.in_writing import IN_WRITING
 from rpg.language.grammar.rows.kept_and_moved import FALLEN, KEPT_AND_MOVED, KEPT_AT_ONCE
 from rpg.language.grammar.rows.kinds_in_rows import KINDS_IN_ROWS
+from rpg.language.grammar.rows.kinds_told_if import KINDS_ACROSS, KINDS_TOLD_IF
 from rpg.language.grammar.rows.labels_counted import labels_counted
 from rpg.language.grammar.rows.labels_there import LABELS_THERE
 from rpg.language.grammar.rows.leave_to_move import leave_to_move
@@ -51,6 +53,7 @@ from rpg.language.grammar.rows.listed_lines import listed_lines
 from rpg.language.grammar.rows.listed_of_all import listed_of_all
 from rpg.language.grammar.rows.lots_told import LOTS, LOTS_AT_ONCE
 from rpg.language.grammar.rows.lying_there import LYING_THERE_AT_ONCE
+from rpg.language.grammar.rows.mats_hold import MATS_HOLD, ON_SOME_MAT
 from rpg.language.grammar.rows.measured_so import MEASURED_SO
 from rpg.language.grammar.rows.moved_off import MOVED_OFF_AT_ONCE, OFF_ONTO
 from rpg.language.grammar.rows.nominal import NOMINAL, NOMINAL_AT_ONCE
@@ -244,6 +247,9 @@ _OF_THE_UNREAD = (
     *TASK_TOLD,
     *SIZES_TOLD,
     *CORNERS_TOLD,
+    *CLEARED_PARTS,
+    *KINDS_TOLD_IF,
+    *MATS_HOLD,
     *BARRED_THERE,
     *DATA_SHEETS,
     *NOMINAL,
@@ -261,6 +267,8 @@ AT_ONCE, UNREAD, OVER_ALL = (
             *FALLEN,
             *OFF_ONTO,
             *WHICHEVER,
+            *ON_SOME_MAT,
+            *KINDS_ACROSS,
             *OWN_COLOR_ACROSS,
             *ONE_TOPPED,
             *TOLD_OF_BOTH,

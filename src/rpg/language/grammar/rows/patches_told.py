@@ -154,8 +154,9 @@ PATCHES_AT_ONCE: tuple[Turn, ...] = (
      f"(?:tower|stack|row|pile|line)\\b)((?:(?! each$).)+?)"
      f"{_ON_IT}(?: each)?$", "put {2} on both {1}"),
     # so many here, and one there
-    (f"^({_DEAL} {MANY}) ((?:{COLOR} )?)({BLOCK}s|bricks) ((?:on|in|onto|into) the(?: \\w+){{1,2}}?)(?: ,| and| , and) "
-     "one (?=(?:on|in|onto|into) the )", "{1} {2} {3} {4} and one {2} block "),
+    (f"^({_DEAL} {MANY}) ((?:{COLOR} )?)({BLOCK}s|bricks) ((?:on|in|onto|into) the (?:\\w+ )?{PATCH})(?: ,| and| , "
+     f"and) one "
+     f"(?!\\4(?: |$))(?=(?:on|in|onto|into) the (?:\\w+ )?{PATCH}\\b)", "{1} {2} {3} {4} and one {2} block "),
     # what each of them holds
     (f"^for each of the colors ({COLOR}) and ({COLOR})(?: ,)? (stack|put|place) the ({MANY}) (blocks|cubes) of "
      f"(?:the|that) color on the ({PATCH}) {_ITS_COLOR}$", "{3} {4} {1} and {4} {2} {5} on the {6s} of the same color"),

@@ -38,13 +38,23 @@ _NOT_ALL = f"not all(?: of (?:them|these|those)| (?:the )?{MANY}(?: of them)?)?"
 
 _LISTED = f"\\b(?:letters|numbers|digits|cubes|blocks|available|are)(?: are| :)? {LABEL}(?: ,| and| , and| to) {LABEL}"
 
-WHICHEVER: tuple[Turn, ...] = tuple(
-    (f"^(?=.*{_LISTED})((?:.*(?:[.,;] |\\band ))?(?:please )?(?:{PUT} )?){det} {_KIND}(?: {_BLOCK})? "
-     f"(?={_GO} (?:on|in) |(?:on|onto|in|into) (?:the|an?|each) )", f"{{1}} {some} one of the {{2s}}")
-    for det, some in (("an?", "at least"), ("(?:exactly )?one", "exactly"))
+WHICHEVER: tuple[Turn, ...] = (
+    *((f"^(?=.*{_LISTED})((?:.*(?:[.,;] |\\band ))?(?:please )?(?:{PUT} )?){det} {_KIND}(?: {_BLOCK})? "
+       f"(?={_GO} (?:on|in) |(?:on|onto|in|into) (?:the|an?|each) )", f"{{1}} {some} one of the {{2s}}")
+      for det, some in (("an?", "at least"), ("(?:exactly )?one", "exactly"))),
+    (f"^(?=.*\\b\\d(?: ,| and| , and| to) \\d\\b)(.*\\b(?:all|every)(?: of)?(?: the)? "
+     f"(?:{_BLOCKS}|{_BLOCK}|numbers?|digits?) "
+     "(?:except|except for|apart from)) (?=\\d (?:on|in|onto|into|belong|go|goes|are|is|must|should)\\b)", "{1} the "),
 )  # fmt: skip
-"""Over a whole text: "a vowel" of letters that are listed is any of them."""
+"""Over a whole text, of symbols that are listed: "a vowel" is any of them, and "all except 5" are all but that one."""
 EACH_THERE: tuple[Turn, ...] = (
+    # so many of them, whichever
+    (f"\\b({MANY}) ((?:{COLOR} )?(?:blocks|cubes|bricks)) of (?:your|my|our|any) (?:own )?choice (?:out )?of (?:the "
+     f"|all )?"
+     f"({MANY})(?: \\2)?\\b", "{1} of the {3} {2}"),
+    (f"^(?:please )?(?:put|place|move|bring|set) ({MANY}) ((?:{COLOR} )?(?:blocks|cubes|bricks)) of "
+     f"(?:your|my|our|any) "
+     f"(?:own )?choice ((?:on|onto|in|into|to) .+)$", "exactly {1} of the {2} must be moved {3}"),
     # some, but not all
     (f"^(at least|more than|no fewer than|not fewer than) ({MANY}) of (.+?) ({_GO}) ((?:on|onto|in|into|to) [^,]+?)"
      f"(?: ,)? (?:but|and|though) {_NOT_ALL}$", "{1} {2} but not all of {3} must be {5}"),

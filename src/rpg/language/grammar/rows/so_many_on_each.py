@@ -15,7 +15,7 @@ _DEAL = "(?:please )?(?:put|place|set|move|bring|lay|distribute|spread|share|div
 _OVER = "(?:out )?(?:on|onto|over|among|between|across|in|into|to)"
 _GO = f"(?:{MUST} (?:be|go|lie)|are|is|go|goes|lie|lies)"
 _BLOCKS = f"(?:(?P<color>{COLOR}) )?(?:blocks|cubes|bricks|boxes)"
-_ON = f"(?:on|onto|in|into) (?:the )?({COLOR})"
+_ON = f"(?:on|onto|in|into) (?:the )?({COLOR}|left|right)"
 _SOME = f"(?:exactly |just )?({MANY})(?: (?:of (?:them|these)|others|more))?"
 _LOT = f"{_SOME}(?: {_GO})? {_ON}(?: one| {PATCH})?"
 _NEXT = "(?: ,| ;| and| , and)"
@@ -30,7 +30,11 @@ _DEALT = (
     re.compile(
         f"{_BEGIN}(?:{_DEAL} )?(?:exactly |just )?(?P<some>{MANY}) of (?:the |my )?(?P<many>{MANY}) "
         f"{_BLOCKS}(?: {_GO})? "
-        f"(?:on|onto|in|into) (?:the )?(?P<there>{COLOR}) {PATCH}(?P<lots>(?:{_NEXT} {_LOT})+){_END}"
+        f"(?:on|onto|in|into) (?:the )?(?P<there>{COLOR}|left|right) {PATCH}(?P<lots>(?:{_NEXT} {_LOT})+){_END}"
+    ),
+    re.compile(
+        f"{_BEGIN}(?P<out>out of|of|from) (?:the |my )?(?P<many>{MANY}) {_BLOCKS}(?: ,)? (?:{_DEAL} )?"
+        f"(?P<lots>{_LOT}(?:{_NEXT} {_LOT})+){_END}"
     ),
 )
 _LOTS = re.compile(_LOT)
@@ -59,7 +63,7 @@ def _told(dealt: dict[str, str]) -> str | None:
     total, dealt_out = number(dealt["many"]), sum(lots.values())
     if (
         dealt_out > total
-        or (dealt_out < total and not some)
+        or (dealt_out < total and not some and "out" not in dealt)
         or number(dealt.get("marks") or str(len(lots))) != len(lots)
     ):
         return None

@@ -19,7 +19,8 @@ def different_corners(theme: Ref, meaning: In, scene: Scene, span: Span) -> Atom
     """ "Red and blue in different corners": no two in one; of two lots, each of them together in one."""
     units = [part.names for part in theme.parts] or [(name,) for name in theme.names]
     plain = theme.quant is None and theme.op == "and" and not (meaning.negated or scene.denying or theme.built)
-    plain = plain and (theme.each or meaning.region == "different_corners")  # "in a different corner": than which?
+    if meaning.region == "different_corner":  # of one it is: than which? of two: of which two corners?
+        plain = plain and theme.each and len(units) > 2
     single = all(len(unit) == 1 for unit in units)
     if not plain or not 1 < len(units) <= (len(CORNERS) if single else 2):
         raise refuse("ambiguous", "it is not clear which blocks are in which corner", span, "say what each corner has")

@@ -120,7 +120,7 @@ UTMOST_TOLD: tuple[Turn, ...] = (
      "there are {4} . {1} {2} {3}"),
     # in a word, which is read from left to right
     *((f"\\b({_PLACED}) {how}{where} {_LETTER}(?=$| ,| and| \\.)", f"{{1}} {near}to the {side} of {{2}}")
-      for how, near in (("(?:right |directly |just |immediately )", "directly "), ("", ""))
+      for how, near in (("(?:right |directly |just |immediately )", "immediately "), ("", ""))
       for where, side in (("after", "right"), ("before", "left"))),
 )  # fmt: skip
 """What is looked for, and what is said instead."""

@@ -148,6 +148,11 @@ def _taken_apart(task: TaskSchema, told: Parts) -> bool:
     return piled and all(isinstance(atom, OnTable) for atom in atoms(task.goal))
 
 
+def _some_counted(task: TaskSchema, told: Parts) -> bool:
+    """Whether so many of some are asked for, so that there are others."""
+    return any(isinstance(goal, g.Count) for goal in within(task.goal))
+
+
 def _anyway(task: TaskSchema, told: Parts) -> bool:
     return True
 
@@ -177,7 +182,7 @@ _TOLD: tuple[tuple[str, Check], ...] = (
      _anyway),
     ("whichever you (?:like|want|prefer|choose)|whichever of them", _anyway),
     ("the (?:others?|rest)(?: blocks| ones)? (?:may|can) (?:be )?moved?(?: freely)?", _anyway),
-    (f"{_OTHERS} {_MAY_BE} {_ANYWHERE}(?: on the table)?", _anyway),
+    (f"{_OTHERS} {_MAY_BE} {_ANYWHERE}(?: on the table)?", _some_counted),
     (f"{_OTHERS} {_MAY_BE} {_ANYWHERE} else(?: on the table)?", _so_many_at_most),
     ("(?:leave|leaving) (?:the arrangement|the rest|everything else|it|all else)(?: otherwise)? (?:free|open|as it "
      "comes)", _anyway),

@@ -6,6 +6,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import replace
 
+from rpg.language import lexicon
 from rpg.language.frames.lots import one
 from rpg.language.frames.pieces import Piece, Unclear
 from rpg.language.frames.towers.floor_words import PATTERNS, T
@@ -19,6 +20,10 @@ _STACKED = re.compile(rf"\b(?:{T}|stacked|vertically|on top of (?:each other|one
 _FLOORS = 2
 """So many floors are those of a tower."""
 _IS_THERE = re.compile("the |this ")
+_REFERS = re.compile(r"\b(?:them|the (?:blocks|cubes|bricks|boxes))\b")
+"""Ahead of the floors these may be more blocks than those that are told there."""
+_KNOWN = re.compile(rf"\bthe (?:{'|'.join(lexicon.COLORS)}) {T}\b")
+"""A tower that is there, of which it is not told what it is made of."""
 _OF_SEVERAL = frozenset({"size", "side", "rel", "relation", "near", "line", "across", "same", "reversed"})
 """What is only told of towers that are several."""
 
@@ -35,10 +40,15 @@ def told(pieces: Sequence[Piece]) -> str:
         return towers_told(pieces)
     pieces = [replace(piece, kind="figure") if piece.kind == "slot" else piece for piece in pieces]
     kinds = [piece.kind for piece in pieces]
+    words = " ".join(piece.words for piece in pieces)
+    ahead = " ".join(piece.words for piece in pieces[: kinds.index("item") if "item" in kinds else None])
+    if _REFERS.search(ahead) or _KNOWN.search(words) or _of_its_end(pieces):
+        raise Unclear
     floor = [piece for piece in pieces if piece.kind == "nth" and "floor" in piece.named]
     stacked = any(_STACKED.search(piece.words) for piece in pieces)
-    wanted = _WANTED.search(" ".join(piece.words for piece in pieces))
-    if not stacked and len(floor) < _FLOORS and not {"part", "upon"} <= {*kinds}:
+    wanted = _WANTED.search(words)
+    several = any(piece.named.get("count") not in (None, "", "a", "an", "one", "1") for piece in pieces)
+    if not stacked and len(floor) < _FLOORS and (several or not {"part", "upon"} <= {*kinds}):
         raise Unclear
     if "figure" in kinds and _IS_THERE.match(pieces[kinds.index("figure")].words) and not wanted:
         raise Unclear  # "the stack is ..." tells of the start
@@ -53,3 +63,10 @@ def told(pieces: Sequence[Piece]) -> str:
 
 def _named(look: str) -> str:
     return look if len(look) == 1 else f"{'an' if look[0] in 'aeiou' else 'a'} {look} block"
+
+
+def _of_its_end(pieces: Sequence[Piece]) -> bool:
+    """ "Red on top, then two blue ones": down from there, or up to there? It is clear where the other end is told."""
+    parts = [piece.value[0] for piece in pieces if piece.kind == "part"]
+    follows = any(piece.kind == "then" for piece in pieces)
+    return follows and "top" in parts and "bottom" not in parts and not any(piece.kind == "way" for piece in pieces)

@@ -43,7 +43,7 @@ BESIDE_IT_AT_ONCE: tuple[Turn, ...] = (
      f"way) that (?!.*\\b(?:they|them|it|word|order|line|row)\\b)({LABEL} {IS} .+)$", "{1}"),
     # so many more of those that were told of
     (f"^((?:{PUT} )?(?:one|an?) ({COLOR}) ({_BLOCK}) (?:(?!\\b(?:an?|one) )[^,])+?(?: ,)? and) (?:another ({FEW})|"
-     f"({FEW}) (?:more|others?))(?! of) (?=(?:to|on) (?:its|the) |{PLACE}\\b)", "{1} {4} {5} more {2} {3}s "),
+     f"({FEW}) (?:more|others?))(?! of) (?=(?:to|on) (?:its|the) |{PLACE}\\b)", "{1} {4} {5} more {2} {3s} "),
     # "on the left of it and on its right"
     (f"^(?:{PUT} )?({THING})(?: {IS})? (?:on|to) ({THING}) 's (left|right)(?: side)?(?: ,)? and ({THING})(?: {IS})? "
      "(?:on|to) its (?!\\3)(left|right)(?: side)?$", "{1} must be to the {3} of {2} and {4} must be to the {5} of {2}"),

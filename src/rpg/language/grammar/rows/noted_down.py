@@ -41,7 +41,7 @@ NOTED_DOWN: tuple[Turn, ...] = (
     *_between(_TOP, _BOTTOM),
     *_between("(?:on|at) the left(?: end)?", "(?:on|at) the right(?: end)?"),
     (f"\\bthe ({MANY}) stacked {_CUBES}{_NOT_THEN}", "the stack of {1} {2}"),
-    (f"(?<!the )(?<!of )\\b({MANY}) stacked {_CUBES}{_NOT_THEN}", "a stack of {1} {2}"),
+    (f"(?<!the )(?<!of )(?<!, )\\b({MANY}) stacked {_CUBES}{_NOT_THEN}", "a stack of {1} {2}"),
     (f"^there (?:is|are) ({MANY}) {_CUBES} stacked(?: up)?(?: on the table| on top of each other)*(?=$| ,)",
      "there is a stack of {1} {2}"),
 )  # fmt: skip

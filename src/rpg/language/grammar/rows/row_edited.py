@@ -19,7 +19,7 @@ _LOT = f"of (?P<many>{MANY}) (?P<look>{COLOR})(?: blocks| cubes| ones)?"
 _ROW = f"(?:(?:an?|the|this|my|our) (?:row|line)(?: :| is :| is)?|(?:row|line) :) {_LISTED}"
 _ROWS = f"(?:{_ROW}|(?:an?|the|this) (?:row|line) {_LOT})"
 _OF_IT = "(?: of (?:it|the row|the line|that row|this row))?"
-_PUT = "(?:insert|squeeze|slot|put|place|add)"
+_PUT = "(?:insert|squeeze|slot|add|(?:put|place)(?!.* of an? (?:row|line)\\b))"  # "a row" is still to be made
 _LAST = "(?:at the (?:right )?end|to the (?:right )?end|(?:at|to) its (?:right )?end|(?:on|at) (?:the|its) right)"
 _FIRST = (
     "(?:(?:at|to) the (?:beginning|start|left end)|(?:at|to) its (?:beginning|left end)|(?:on|at) (?:the|its) left)"

@@ -159,3 +159,28 @@ def test_the_word_of_which_letters_are_told() -> None:
         "Then, the green block must be immediately behind the D block."
     )
     assert "spell the word LISA" in means("Put the letters of my name, LISA, in a row so that you can read it.")
+
+
+def test_digits_of_which_the_sum_is_told_in_one_sentence() -> None:
+    stock = "There are the digits 1, 2, 3 and 4. "
+    told = means(f"{stock}Put two of them on the mat so that their sum is 5.")
+    assert means("Put two of the digits 1, 2, 3 and 4 on the mat so that their sum is 5.") == told
+    assert means("Put exactly two of the cubes 1, 2, 3 and 4 on the mat. Their sum is 5.") == told
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The letters A and B are on the mat and their sum is 5.",
+        "Put two of the digits 1 to 4 on the mat so that their sum is 9.",
+    ],
+)
+def test_a_sum_of_unknown_numbers_is_no_label(text: str) -> None:
+    assert code_of(text) == "incomplete"
+
+
+def test_who_is_named_ahead_of_a_pronoun_is_meant_by_it() -> None:
+    text = "Put the red cube to the left of the blue one, and the green cube, it must be on the blue one."
+    assert means(text) == means(
+        "Put the red cube to the left of the blue one, and the green cube must be on the blue one."
+    )

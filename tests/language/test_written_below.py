@@ -29,7 +29,9 @@ def test_after_a_letter_is_to_its_right() -> None:
 def test_what_is_told_beside_a_word_may_adjoin_it() -> None:
     text = "Spell CAT and put the yellow block right after the last letter."
     looks = {"C": 1, "A": 1, "T": 1, "yellow": 1}
-    assert_means(text, {"assets": looks, "hold": ["C A T yellow"], "miss": ["yellow C A T", "C A yellow T", "C A T; yellow"]})
+    assert_means(
+        text, {"assets": looks, "hold": ["C A T yellow"], "miss": ["yellow C A T", "C A yellow T", "C A T; yellow"]}
+    )
 
 
 def test_in_a_tower_below_is_below() -> None:

@@ -31,7 +31,7 @@ _ASKED = (
     re.compile(f"(?:put|place|lay|move) {_MANY} (?:{_DIGITS}|of (?:them|these)) {_ON}(?: ,)? (?:whose|so that "
                f"(?:the|their)|such that their|with the|so their) {_KIND} (?:{_IS} |of )?{_RESULT}"),
     re.compile(f"(?:put|place|lay|move) {_MANY} (?:{_DIGITS}|of (?:them|these)) {_ON}(?: ,)? (?:that|which|so that "
-               f"they|so they) add up to {_RESULT}"),
+               f"they|so they) (?:add up|sum up|sum) to {_RESULT}"),
 )  # fmt: skip
 _WORKED_OUT: dict[str, Callable[[Sequence[int]], int]] = {
     "sum": sum, "total": sum, "product": prod, "difference": lambda two: abs(two[0] - two[-1]),
@@ -41,11 +41,32 @@ _FEW = 3
 """So many ways may be told one by one."""
 
 
+_OF_THESE = re.compile(
+    f"(?:put|place|lay|move) (?:exactly )?{_MANY} of the {_DIGITS} "
+    f"(?P<list>\\d(?: , \\d)*(?: ,)?(?: and)? \\d|\\d to \\d) (?={_ON})"
+)
+
+
+def _stock_first(parts: list[list[Token]]) -> list[list[Token]]:
+    """ "Put two of the digits 1, 2, 3 and 4 on the mat so that their sum is 5": there are these; put two of them."""
+    met = _OF_THESE.match(text_of(parts[0])) if 0 < len(parts) < 3 else None
+    if met is None:
+        return parts
+    end = len(met[0].split())
+    begin = end - len(met["list"].split())
+    first = next(n for n, token in enumerate(parts[0]) if token.word == "of")
+    say = parts[0][begin].saying
+    asked = [*(token for token in parts[0][: first + 1] if token.word != "exactly"), say("them"), *parts[0][end:]]
+    if len(parts) == 2:  # "... on the mat. Their sum is 5"
+        asked = [*asked[: len(asked) - (asked[-1].word in STOPS)], say("so"), say("that"), *parts[1]]
+    return [[*map(say, ("the", "digits", "are")), *parts[0][begin:end]], asked]
+
+
 def sums_on_a_patch(tokens: list[Token]) -> list[Token]:
     """The tokens with the digits that have such a sum, where it is told which digits there are."""
     if _TELLING.isdisjoint(token.word for token in tokens):
         return tokens
-    parts = sentences(tokens)
+    parts = _stock_first(sentences(tokens))
     stock = _STOCK.fullmatch(text_of(parts[0])) if len(parts) == 2 else None
     asked = next((m for one in _ASKED if stock and (m := one.fullmatch(text_of(parts[1])))), None)
     if stock is None or asked is None:

@@ -21,6 +21,8 @@ UNIDIOMATIC_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b(starting|beginning) (?:at|from|on) the ({END}) with (?:the )?{_FIRST}", "{1} with the {3} at the {2}"),
     (f"\\b(?:the (?:cubes|blocks|ones)|those) {_SHOWING} the {_SORT} (?=(?:\\w|\\d) (?:,|and) )"
      "(?!.*\\bon (?:them|it)\\b)", "the {1} "),
+    # who is meant is named ahead of its pronoun
+    (f" , and ({THING}) , it (?=(?:{MUST}|is|goes|stands|lies|sits|belongs) )", " , and {1} "),
     ("\\beach one (?=(?:with|has|having) |(?:of|in) (?!the\\b|these\\b|them\\b))", "each "),
     (f"\\bthe ({COLOR}) (?=(?:are|have) (?:all )?to be )", "the {1} blocks "),
     # a figure and one part of it

@@ -150,6 +150,9 @@ def _one_of_the_patches(theme: Meaning | None, scene: Scene) -> bool:
 
 def _give(theme: Ref, quality: Quality, clause: Clause, scene: Scene) -> None:
     traits = quality.traits
+    if isinstance(clause.theme, Structure) and clause.theme.kind == "equation" and quality.traits.labels:
+        raise refuse("incomplete", "it is not said which numbers these are", clause.span,
+                     "write the whole equation, as in 'make 4 + 6 = 10'")  # fmt: skip
     if traits.rank or traits.target or traits.matching or (traits.labels and len(traits.labels) != 1):
         raise refuse(
             "misplaced", "this is understood, but is no look that can be given", quality.span, "say it as a place"

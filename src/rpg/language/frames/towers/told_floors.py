@@ -42,7 +42,9 @@ def told(pieces: Sequence[Piece]) -> str:
     kinds = [piece.kind for piece in pieces]
     words = " ".join(piece.words for piece in pieces)
     ahead = " ".join(piece.words for piece in pieces[: kinds.index("item") if "item" in kinds else None])
-    if _REFERS.search(ahead) or _KNOWN.search(words) or _of_its_end(pieces):
+    if _REFERS.search(ahead) or _KNOWN.search(words) or _of_its_end(pieces) or _goes_on(pieces):
+        raise Unclear
+    if "way" in kinds and {"over", "below"} & {*kinds}:  # "red on blue on green from bottom to top"
         raise Unclear
     floor = [piece for piece in pieces if piece.kind == "nth" and "floor" in piece.named]
     stacked = any(_STACKED.search(piece.words) for piece in pieces)
@@ -70,3 +72,13 @@ def _of_its_end(pieces: Sequence[Piece]) -> bool:
     parts = [piece.value[0] for piece in pieces if piece.kind == "part"]
     follows = any(piece.kind == "then" for piece in pieces)
     return follows and "top" in parts and "bottom" not in parts and not any(piece.kind == "way" for piece in pieces)
+
+
+def _goes_on(pieces: Sequence[Piece]) -> bool:
+    """ "A tower with red on top. Blue is below it": and what below that? It is clear where the foot is told, or how
+    many blocks there are."""
+    told = [n for n, piece in enumerate(pieces) if piece.kind == "item"]
+    between = pieces[told[0] : told[-1]] if told else []
+    parts = [piece.value[0] for piece in pieces if piece.kind == "part"]
+    closed = "bottom" in parts or any(piece.kind in ("way", "total", "count", "nth") for piece in pieces)
+    return "top" in parts and not closed and any(piece.words in (".", ";", "!") for piece in between)

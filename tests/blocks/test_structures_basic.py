@@ -194,9 +194,14 @@ def test_spells_from_left_to_right_and_nothing_else_adjoins() -> None:
 
 def test_what_is_told_to_be_beside_a_word_may_adjoin_it() -> None:
     word = Spells(blocks=(*CAT, "s3"), word="cat", beside=("s3",))
-    assert spell(word, s3=(0, -0.1)) and spell(word, s3=(0.05, 0))
+    assert spell(word, s3=(0.05, 0)), "behind a letter"
+    assert not spell(word, s3=(0, -0.1)), "cats"
     assert not spell(word, s3=(0, 0, 1))
-    assert not spell(word, s2=(0, -0.095), s3=(0, -0.0475)), "in a gap it is read"
+    objects = world(letters("CAT"), plain(red="red"))
+    places = {"s0": (0, 0.05), "s1": (0, 0), "s2": (0, -0.095)}
+    beside = Spells(blocks=CAT, word="CAT", beside=("red",))
+    assert value(beside, state(objects, {**places, "red": (0, -0.14)})), "a plain block at the end"
+    assert not value(beside, state(objects, {**places, "red": (0, -0.0475)})), "a plain block in a gap"
 
 
 def test_a_plain_block_in_a_gap_spoils_a_word() -> None:

@@ -160,7 +160,8 @@ class Spells(Node):
     """Cubes among `blocks` spell `word` from readable faces, and nothing else adjoins it.
 
     `along` "row": left to right on top faces; "stack": down a tower on the viewer's side, top first. `reverse` reads
-    from the other end. `beside`: blocks that another condition puts beside these; they may adjoin a row.
+    from the other end. `beside`: blocks that another condition puts beside these; they may adjoin a row, but no
+    symbol may stand in its line.
     """
 
     kind: Literal["spells"] = "spells"

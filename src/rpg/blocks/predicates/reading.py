@@ -40,8 +40,8 @@ def apart(
 ) -> Verdict:
     """Nothing else adjoins a row: no block on it or next in its line, no symbol close to it.
 
-    Cubes that are `covered` may have one on them, and those `beside` may adjoin it, but in none of its gaps.
-    `symbols`: only blocks that show one are looked at.
+    Cubes that are `covered` may have one on them, and those `beside` may adjoin it, but in none of its gaps,
+    and no symbol in its line. `symbols`: only blocks that show one are looked at.
     """
     sequence = line.sequence
     margin = 1.0
@@ -51,7 +51,7 @@ def apart(
         if symbols and not lettered:
             continue
         told = other in beside
-        reach = 0.0 if told else gap_edges if lettered else ADJOINS_EDGES
+        reach = gap_edges if lettered else 0.0 if told else ADJOINS_EDGES
         margin = min(margin, _reading_on(state, line, reach, other))
         for name in sequence:
             margin = min(margin, _closeness(state, name, other, lettered and not told, name in covered))

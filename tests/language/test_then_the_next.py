@@ -91,7 +91,7 @@ def test_steps_with_stops_behind_their_numbers() -> None:
 def test_which_line_is_changed() -> None:
     start, end = start_and_end("Swap the first and the last cube in the row red, yellow, green, blue.")
     assert "from left to right in the order red, yellow, green, blue" in start
-    assert "The red block and the blue block must swap places" in end
+    assert "from left to right in the order blue, yellow, green, red" in end
     start, end = start_and_end("Change the order of the tower from red-green-blue to blue-red-green (bottom to top).")
     assert "from bottom to top in the order red, green, blue" in start
     assert "from bottom to top in the order blue, red, green" in end

@@ -53,7 +53,7 @@ READ = {
         "bottom to top in the order brown, red.",
     "Three cubes in a row: red, green, blue. Forbidden: red touching blue.":
         "There are a red block, a green block and a blue block. The three blocks must be in a row from left to "
-        "right in the order red, green, blue. The red block must not touch the blue block.",
+        "right in the order red, green, blue. The red block must never touch the blue block.",
     "We have a couple of black cubes and a white one; set the white one between 'em.":
         "There are two black blocks and a white block. The white block must be between the two black blocks.",
     "There ought to be two stacks of two, each one of a single colour.":

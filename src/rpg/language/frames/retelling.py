@@ -126,8 +126,9 @@ _TURNED = frozenset({"turn", "upside", "it"})
 def _with_given(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
     """The text with the figure that is there already told again, and what is to be done as it is or told again."""
     for start, ahead, behind in (*with_given(tokens, plainly), *existing(tokens, plainly)):
-        if _TURNED.issubset(token.word for token in behind):
-            continue  # the blocks of it, or their order?
+        words = {token.word for token in behind}
+        if words >= _TURNED or ("it" in words and "is on" in _text(ahead)):
+            continue  # the blocks of it, or their order? what is on it, or all of it?
         sentences = re.findall(r"[^.]+\.", start)
         begun = [
             token for n, text in enumerate(sentences) for token in _standing(text, ahead[min(n, len(ahead) - 1) :])

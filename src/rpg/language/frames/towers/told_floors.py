@@ -24,6 +24,7 @@ _REFERS = re.compile(r"\b(?:them|the (?:blocks|cubes|bricks|boxes))\b")
 """Ahead of the floors these may be more blocks than those that are told there."""
 _KNOWN = re.compile(rf"\bthe (?:{'|'.join(lexicon.COLORS)}) {T}\b")
 """A tower that is there, of which it is not told what it is made of."""
+_PUT_IT = re.compile(r"\b(?:put|place|move|set) it\b")
 _OF_SEVERAL = frozenset({"size", "side", "rel", "relation", "near", "line", "across", "same", "reversed"})
 """What is only told of towers that are several."""
 
@@ -44,6 +45,8 @@ def told(pieces: Sequence[Piece]) -> str:
     ahead = " ".join(piece.words for piece in pieces[: kinds.index("item") if "item" in kinds else None])
     if _REFERS.search(ahead) or _KNOWN.search(words) or _of_its_end(pieces) or _goes_on(pieces):
         raise Unclear
+    if "where" in kinds and _PUT_IT.search(words):
+        raise Unclear  # the tower, or the block on top of it?
     if "way" in kinds and {"over", "below"} & {*kinds}:  # "red on blue on green from bottom to top"
         raise Unclear
     floor = [piece for piece in pieces if piece.kind == "nth" and "floor" in piece.named]

@@ -28,7 +28,8 @@ HOW_FAR_AT_ONCE: tuple[Turn, ...] = (
     # "with no gap between the two"
     (f"\\b((?:no|any|a|{LENGTH}(?: of)?) (?:{_GAP} )?(?:in )?between) {_THE_TWO}(?=$| ,)", "{1} them"),
     (f"\\bequally (?:far|distant|far away)(?: away)? from ({THING}) and from ({THING})", "as far from {1} as from {2}"),
-    ("\\b(?:at|in|on) the (?:midpoint|halfway point) (?:of|between) ", "halfway between "),
+    ("\\b(?:at|in|on) the (?:midpoint|halfway point) (?:between|of (?!(?:the|an?) (?:\\w+ )?(?:table|mat|patch|pad|"
+     "zone|area|row|line|tower)\\b)) ", "halfway between "),
     ("\\bbut not (?:so|too) (?:close|near)(?: together)? that (?:they|the two|it) touch(?:es)?(?: it| each other| one "
      "another)?$", "but not touching it"),
     # two that "which" tells of behind what is told beside them

@@ -23,7 +23,7 @@ _AROUND = (
 )
 _ARE = "(?:is|are|lies?|stands?|sits?)(?: also)?(?: lying| standing| sitting)?(?= )"
 _AND = "(?: ,| \\.| ;| -| :)?(?: (?:and|but|so|please|just|simply|you can|you may|you should|they should|better|,))*"
-_TAIL = "(?: please| here| for now| in this task| for this task| , please| at all| though)*"
+_TAIL = "(?: please| here| for (?:now|the moment)| in this task| for this task| , please| at all| though)*"
 _BEGIN = "(?:^|(?<= [.;!:?] ))"
 _END = "(?= [.;!]|$)"
 

@@ -16,7 +16,7 @@ _SPELL = frozenset({"spell", "write", "show", "build", "make", "form"})
 _SOMEBODY = {
     "whose": ("my|our|her|his|their|your",),
     "who": ("<whose>|the little|big|older|younger|youngest|oldest|best|new|first? <folk>",),
-    "folk": (f"{PEOPLE}|baby|boy|girl|cat|dog|hamster|pet|doll|teddy",),
+    "folk": (f"{PEOPLE}|baby|boy|girl|pet|doll|teddy",),
     "name": (
         "<whose> first|full|own? name|nickname",
         "<who> 's first|full? name|nickname",

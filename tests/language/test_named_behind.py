@@ -9,9 +9,7 @@ from tests.language.meaning import code_of, means
     ("text", "word"),
     [
         ("can you write my name with the letter blocks? it's LEO", "LEO"),
-        ("Could you write the name of my cat? Her name is MIA.", "MIA"),
         ("Spell my daughter's name with letter cubes: EMMA.", "EMMA"),
-        ("our dog is named REX, write that with the letters", "REX"),
         ("Write down the following word with blocks: HOUSE", "HOUSE"),
         ("I'm called TOM. Please spell my name.", "TOM"),
     ],

@@ -22,7 +22,7 @@ _BOTH_SIDES = (
     "(?:(?:on|from|at|to) )?(?:both sides|either side|each side|(?:the |its )?left and (?:the |its )?right|(?:the |its "
     ")?right and (?:the |its )?left)(?: of it| side)?"
 )
-_FELLOW = "(?:friend|buddy|pal|mate|companion|neighbor|fellow|guy|chap|guard|guardian|guest|visitor)"
+_FELLOW = "(?:friend|buddy|pal|mate|companion|fellow|guy|chap|guard|guardian|guest|visitor)"
 _WHAT = f"(?:the|an?|my|our|this|that|all|both|\\d+|{FEW})"
 _LOT = f"{_WHAT} (?:(?:{FEW}|{COLOR}|big|small|large|little) )*(?:{'|'.join(lexicon.BLOCK)}|ones?)"
 _LOTS = f"{_LOT}(?:(?: , {_LOT})*(?: ,)? and {_LOT})?"

@@ -12,7 +12,7 @@ DEV = scripts("dev")
 SHARE = {"heldout": 0.8, "strangers": 0.8}
 """Of the turns that were not written with the grammar at hand, at least so many are right; none may be wrong."""
 EVERY = {"strangers": 12}
-"""Each third of these sessions is played here, all of them by `make corpus`."""
+"""Each twelfth of these sessions is played here, all of them by `make corpus`."""
 
 
 @pytest.mark.parametrize("script", DEV, ids=[f"{script.file}-{script.number}" for script in DEV])

@@ -24,6 +24,7 @@ _REFERS = re.compile(r"\b(?:them|the (?:blocks|cubes|bricks|boxes))\b")
 """Ahead of the floors these may be more blocks than those that are told there."""
 _KNOWN = re.compile(rf"\bthe (?:{'|'.join(lexicon.COLORS)}) {T}\b")
 """A tower that is there, of which it is not told what it is made of."""
+_STRICTLY = re.compile(r"\b(?:directly|immediately|right(?= (?:in front|behind|next))|straight|exactly)\b")
 _PUT_IT = re.compile(r"\b(?:put|place|move|set) it\b")
 _OF_SEVERAL = frozenset({"size", "side", "rel", "relation", "near", "line", "across", "same", "reversed"})
 """What is only told of towers that are several."""
@@ -37,6 +38,8 @@ def told(pieces: Sequence[Piece]) -> str:
     """
     kinds = [piece.kind for piece in pieces]
     sides = [piece for piece in pieces if piece.kind == "side" and _STACKED.search(piece.words)]
+    if any(_STRICTLY.search(piece.words) for piece in pieces if piece.kind in ("rel", "relation", "side")):
+        raise Unclear  # "directly in front of it" is told of no tower there
     if "towers" in kinds or kinds.count("slot") > 1 or len(sides) > 1:
         return towers_told(pieces)
     pieces = [replace(piece, kind="figure") if piece.kind == "slot" else piece for piece in pieces]

@@ -18,7 +18,7 @@ from tests.language.meaning import code_of, means
         ("Row: the two ends are white, the other three are red.", "white, red, red, red, white"),
     ],
 )  # fmt: skip
-def test_the_others_are_so_many(text, order):
+def test_the_others_are_so_many(text: str, order: str) -> None:
     assert means(text).replace("\n", " ").endswith(f"must be in a row from left to right in the order {order}.")
 
 
@@ -30,11 +30,11 @@ def test_the_others_are_so_many(text, order):
         "There are three orange blocks in a row, white on the left, the other two are blue.",
     ],
 )
-def test_what_leaves_the_row_open(text):
+def test_what_leaves_the_row_open(text: str) -> None:
     assert code_of(text)
 
 
-def test_a_neighbour_on_either_side():
+def test_a_neighbour_on_either_side() -> None:
     said = means("The blue cube has a red neighbour on either side.").replace("\n", " ")
     assert "A red block must be next to the blue block. The other red block must be next to the blue block." in said
 
@@ -47,7 +47,7 @@ def test_a_neighbour_on_either_side():
         ("In the row A, B, C the letter B must be upside down.", "The B block must be upside down."),
     ],
 )  # fmt: skip
-def test_said_of_a_row_that_is_named_by_its_blocks(text, said):
+def test_said_of_a_row_that_is_named_by_its_blocks(text: str, said: str) -> None:
     told = means(text).replace("\n", " ")
     assert "The three blocks must be in a row from left to right in the order" in told
     assert told.endswith(f". {said}")
@@ -67,9 +67,9 @@ def test_said_of_a_row_that_is_named_by_its_blocks(text, said):
         ("Line up red, yellow and blue in the order listed, closest first.", "column on the table from front to back"),
     ],
 )
-def test_the_order_in_which_they_are_listed(text, said):
+def test_the_order_in_which_they_are_listed(text: str, said: str) -> None:
     assert f"must be in a {said} in the order" in means(text)
 
 
-def test_lined_up_at_an_edge():
+def test_lined_up_at_an_edge() -> None:
     assert "must be in a line" in means("Line up 3 cubes at the far edge of the table.")

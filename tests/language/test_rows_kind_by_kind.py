@@ -28,13 +28,13 @@ THREE = (
          "The blocks 2, 4 and 6 must be behind the blocks 1, 3 and 5."),
     ],
 )  # fmt: skip
-def test_each_kind_has_a_row(text, said):
+def test_each_kind_has_a_row(text: str, said: str) -> None:
     task = means(text).replace("\n", " ")
     assert task.endswith(said)
     assert task.count("must be in a row.") == 2
 
 
-def test_so_many_in_each_row():
+def test_so_many_in_each_row() -> None:
     said = means("The front row is red and the back row is blue. Four cubes in each row.")
     assert "four red blocks and four blue blocks" in said
     assert code_of("The front row is red, the back row is blue, four blocks.")
@@ -48,15 +48,15 @@ def test_so_many_in_each_row():
         "A row of four blue blocks, in front of it a row of three green ones, in front of that a row of two red ones.",
     ],
 )
-def test_three_rows_one_behind_the_other(text):
+def test_three_rows_one_behind_the_other(text: str) -> None:
     assert means(text).replace("\n", " ").startswith(THREE)
 
 
-def test_one_directly_behind_each():
+def test_one_directly_behind_each() -> None:
     said = means("A row of three red cubes. Put a white cube directly in front of each of them.")
     assert "The other white block must be directly in front of red block 3." in said
     assert code_of("Put a green cube to the left of each of three red cubes.") == "ambiguous"
 
 
-def test_ends_of_the_last_line_or_the_two_lines():
+def test_ends_of_the_last_line_or_the_two_lines() -> None:
     assert code_of("A row of three and a row of four, left red, right white.") == "ambiguous"

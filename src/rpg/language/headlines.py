@@ -14,14 +14,14 @@ from rpg.language.smalltalk import is_strange
 from rpg.language.spoken_leads import LONGEST, PLACING, TESTS, bends, of_words, sets_off, tells_nothing
 from rpg.language.telling import may_tell_how
 from rpg.language.tokens import Token
-from rpg.language.told_again import ordered_again, so_many, told_again
+from rpg.language.told_again import CHANGES, ordered_again, so_many, told_again
 from rpg.language.word_lists import listed
 
 _BY = listed("parity color colour size letter letters number numbers kind type shape height digit digits")
 """What blocks are sorted by, in a headline."""
 _DOINGS = ("sort", "group", "stack", "arrang", "order", "align", "plac", "build", "spell", "classif", "count", "compar")
 """How words begin for what is done in the task."""
-_TURNED = ("unstack", "dismantl", "disassembl", "revers", "invers", "swap", "mirror", "rotat")
+_TURNED = (*CHANGES, "invers")
 """Such a task begins with what is told of its start."""
 _STARTS = listed("initial initially start starts starting begin begins beginning before setup given swap exchange")
 _BLOCKS = frozenset(lexicon.BLOCK)

@@ -16,7 +16,7 @@ from rpg.language.smalltalk import is_strange, takes_back
 from rpg.language.spelling import vocabulary
 from rpg.language.telling import may_tell, may_tell_how, tells
 from rpg.language.tokens import Token
-from rpg.language.told_again import ordered_again, told_again
+from rpg.language.told_again import CHANGES, ordered_again, told_again
 from rpg.language.word_lists import listed
 
 _BINDING = listed(
@@ -83,8 +83,6 @@ TESTS = listed(
 _SHAPES = (lexicon.COLOR, lexicon.COLOR_PLURAL, lexicon.PATCH, lexicon.STRUCTURE, lexicon.NUMBER, lexicon.ORDINAL,
            lexicon.SIZE)  # fmt: skip
 _NOT = listed("not no never without none non un upside left right front back top bottom all each every any both")
-_KINDS = ("unstack", "rotat", "revers", "mirror", "disassembl", "dismantl", "swap", "remov", "flip")
-"""How kinds of tasks begin that a title may name: "unstacking test:"."""
 LONGEST = 8
 
 
@@ -103,7 +101,7 @@ def heading(tokens: Sequence[Token]) -> int:
     shaped = any(w in table for w in words for table in _SHAPES)
     plainly = _NOT.isdisjoint(words) and not shaped
     tried = words[-1] in TESTS and plainly
-    kinds = {word for word in words[:-1] if word.startswith(_KINDS)} if tried else set()
+    kinds = {word for word in words[:-1] if word.startswith(CHANGES)} if tried else set()
     plain = all(_names_nothing(told, n) for n in range(len(told))) or (
         tried and not any(bends(word) for word in words[:-1] if word not in kinds)
     )

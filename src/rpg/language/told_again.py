@@ -23,8 +23,8 @@ _KINDS: tuple[tuple[frozenset[str], _Shows], ...] = (
     (frozenset(lexicon.PATCH), lambda token: token.word in lexicon.PATCH),
 )
 """Words for a kind of things or looks, and what is of that kind; blocks are what all of it is about."""
-_CHANGES = ("revers", "mirror", "rotat", "swap", "flip", "unstack", "remov", "dismantl", "disassembl")
-_ORDERS = ("sort", "group", "separat", "order", "altern", "symmetr", *_CHANGES)
+CHANGES = ("revers", "mirror", "rotat", "swap", "flip", "unstack", "remov", "dismantl", "disassembl")
+_ORDERS = ("sort", "group", "separat", "order", "altern", "symmetr", *CHANGES)
 """How words begin by which the blocks of a figure are ordered, or changed."""
 _BEGUN = listed("start initial starts starting begin begins beginning initially first now currently")
 _IN_ORDER = _BEGUN | listed(
@@ -38,7 +38,7 @@ def told_again(words: Sequence[str], n: int, behind: Sequence[Token]) -> bool:
     word = words[n]
     if (many := lexicon.NUMBER.get(word, 0)) > 1:
         return _figures(behind) == many if n == 0 else any(token.many == many for token in behind)
-    begun = _BEGUN if word.startswith(_CHANGES) else ()
+    begun = _BEGUN if word.startswith(CHANGES) else ()
     return any(_the_same(word, token) or token.word in begun for token in behind)
 
 
@@ -49,7 +49,7 @@ def ordered_again(words: Sequence[str], behind: Sequence[Token]) -> bool:
         return True
     ordered = not _IN_ORDER.isdisjoint(token.word for token in behind)
     return all(
-        told_again(words, n, behind) or (ordered and not word.startswith(_CHANGES))
+        told_again(words, n, behind) or (ordered and not word.startswith(CHANGES))
         for n, word in enumerate(words)
         if word.startswith(_ORDERS)
     )

@@ -62,8 +62,6 @@ def retold(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
     asides = (without_distractors, without_turns, without_measures, without_attached)
     for without, (rest, stretch, aside) in ((way, found) for way in asides for found in way(tokens)):
         rest = beside.stopped(rest, stretch[0])
-        if without is without_turns and rest and not commands(rest):
-            aside = _told_as_is(aside)
         if without is without_attached:  # "it" may be another thing where the rest is no figure by itself
             whole = asked(plainly(rest) or "")
             told = [(_standing(whole, rest), whole)] if whole else []
@@ -95,11 +93,6 @@ def _by_itself(tokens: Sequence[Token]) -> bool:
     """Whether what a sentence says does not hang on what is told again beside it."""
     text = _text(tokens)
     return not _ALL.search(text) and not _ONE_OF.search(text)
-
-
-def _told_as_is(aside: str) -> str:
-    """What must be, as what is: behind "must be", what is only described beside it would be of the start."""
-    return re.sub(r"\b(All letters)? must be ", lambda match: f"{match[1]} are " if match[1] else " is ", aside)
 
 
 _LEADS_TO = {"start": ("At the start,", "At the start:"), "end": ("", "At the end,", "At the end:"), "": ("",)}

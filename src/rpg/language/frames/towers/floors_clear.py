@@ -18,17 +18,13 @@ _PUT_IT = re.compile(r"\b(?:put|place|move|set) it\b")
 
 
 def check_clear(pieces: Sequence[Piece]) -> None:
-    """Raises:
-    Unclear: one tower is to be "directly" in front of another one, which is told of no tower here.
-    """
+    """Raise Unclear where one tower is to be "directly" in front of another one, which is told of no tower here."""
     if any(_STRICTLY.search(piece.words) for piece in pieces if piece.kind in ("rel", "relation", "side")):
         raise Unclear
 
 
 def check_one_tower(pieces: Sequence[Piece]) -> None:
-    """Raises:
-    Unclear: the tower may have other blocks, or others at its ends, or it is not it that is put somewhere.
-    """
+    """Raise Unclear where the tower may have other blocks, or others at its ends, or is not what is put somewhere."""
     kinds = [piece.kind for piece in pieces]
     words = " ".join(piece.words for piece in pieces)
     ahead = " ".join(piece.words for piece in pieces[: kinds.index("item") if "item" in kinds else None])

@@ -113,6 +113,19 @@ def test_each_of_several_is_told(text: str, plain: str | None) -> None:
     assert told(text) == plain
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The bottom one is black and above it is a white one.",  # of a tower that is told elsewhere
+        "Put red at the bottom and blue and green above it.",  # in which order?
+        "One green block stacked between two white ones, white below it and white above it.",  # these, or two more?
+        "Stack one of the two red blocks and one of the two blue blocks.",
+    ],
+)
+def test_what_may_be_another_tower_is_not_told(text: str) -> None:
+    assert told(text) is None
+
+
 def test_what_is_seen_from_the_top_is_told_downwards() -> None:
     assert "from top to bottom in the order blue, green, red" in means("A stack, seen from the top: blue, green, red.")
     assert "from left to right in the order A, B, C" in means("A row of letters, seen from the top: A, B, C.")

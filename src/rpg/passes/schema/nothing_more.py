@@ -148,6 +148,10 @@ def _taken_apart(task: TaskSchema, told: Parts) -> bool:
     return piled and all(isinstance(atom, OnTable) for atom in atoms(task.goal))
 
 
+_BOUNDS = frozenset({"exactly", "precisely", "just", "only", "least", "most"})
+"""With one of these a number stays one where the others may be anywhere; "two go there, the rest anywhere" could be more."""
+
+
 def _some_counted(task: TaskSchema, told: Parts) -> bool:
     """Whether so many of some are asked for, so that there are others."""
     return any(isinstance(goal, g.Count) for goal in within(task.goal))
@@ -246,7 +250,7 @@ def without_more(tokens: Sequence[Token]) -> Iterator[tuple[list[Token], Callabl
     for begin, end in _clauses(words):
         text = " ".join(words[begin:end])
         for row, check in _compiled():
-            if (met := row.fullmatch(text)) is not None:
+            if (met := row.fullmatch(text)) is not None and (check is not _some_counted or _BOUNDS & {*words}):
                 follows = words[end + 1 : end + 2] if words[end : end + 1] == [","] else []
                 if (rest := _closed(tokens, begin, end)) and not (follows and follows[0] in lexicon.NUMBER):
                     yield rest, partial(_holds, check, met.groupdict())

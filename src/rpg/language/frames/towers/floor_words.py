@@ -79,7 +79,7 @@ PATTERNS = [
         f"(?P<which>a second|a third|a|another|one|(?:the |an )?other|(?:the )?(?:{_ORD})) {_ADJ}*{T}",
         "(?:the )?tower (?P<which>[A-E1-5])(?= (?:consists|has|is|BE|:|\\(|of|with|from))",
         f"(?:the )?{T} (?P<which>[A-E1-5])(?= (?:consists|has|is|BE|:|\\())",
-        "(?P<which>one|the other|another|(?:the )?other one|a second one|another one)"
+        "(?P<which>one|the other|another|(?:the )?other one|a second one|another one)(?! of (?:the|these|those) )"
         "(?= (?:of|in|with|from|has|is|consists|made|BE|:|,|\\())"),
     *patterns("side", lambda match: match["side"],
         f"(?:(?:BE )?(?:to|on|at) )?(?:the )?(?P<side>left|right)(?: (?:hand )?(?:side|one|{T}))?(?! (?:of|half|side))",

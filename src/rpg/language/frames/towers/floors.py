@@ -51,6 +51,8 @@ def _but(tower: Tower) -> None:
 def _shares(tower: Tower, clause: Sequence[Piece]) -> bool:
     """Whether the place of a clause may be that of the blocks before an "and", too."""
     part = next((piece.value[0] for piece in clause if piece.kind == "part"), "")
+    if tower.bare and tower.runs and {"upon", "under"} & {piece.kind for piece in clause}:
+        return True
     if not tower.bare or not ({"part", "half", "above", "below"} & {piece.kind for piece in clause}):
         return False
     own = all({"det", "count"} & piece.named.keys() for piece in clause if piece.kind == "item")
@@ -90,6 +92,7 @@ def _told(tower: Tower, clause: list[Piece]) -> None:
         _rest(tower, said, items, places)
     elif kinds == ["item", "between", "item"]:
         _between(tower, *items)
+        tower.related = True
     elif {"over", "below"} & {*kinds}:
         _related(tower, said, items, places)
         tower.related = True

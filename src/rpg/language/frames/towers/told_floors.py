@@ -19,6 +19,7 @@ _WANTED = re.compile(r"\b(?:must|should|shall|needs?|(?:has|have|is|are) to|to b
 _STACKED = re.compile(rf"\b(?:{T}|stacked|vertically|on top of (?:each other|one another|the other))\b")
 _FLOORS = 2
 """So many floors are those of a tower."""
+_ITS_BLOCK = re.compile(r"the .*\b(?:one|block|cube)s?$")
 _IS_THERE = re.compile("the |this ")
 _OF_SEVERAL = frozenset({"size", "side", "rel", "relation", "near", "line", "across", "same", "reversed"})
 """What is only told of towers that are several."""
@@ -44,6 +45,8 @@ def told(pieces: Sequence[Piece]) -> str:
     several = any(piece.named.get("count") not in (None, "", "a", "an", "one", "1") for piece in pieces)
     if not stacked and len(floor) < _FLOORS and (several or not {"part", "upon"} <= {*kinds}):
         raise Unclear
+    if "figure" not in kinds and any(piece.kind == "part" and _ITS_BLOCK.match(piece.words) for piece in pieces):
+        raise Unclear  # "the bottom one is black": of a tower that is told elsewhere
     if "figure" in kinds and _IS_THERE.match(pieces[kinds.index("figure")].words) and not wanted:
         raise Unclear  # "the stack is ..." tells of the start
     if not _OF_SEVERAL.isdisjoint(kinds):

@@ -149,7 +149,7 @@ def _taken_apart(task: TaskSchema, told: Parts) -> bool:
 
 
 _BOUNDS = frozenset({"exactly", "precisely", "just", "only", "least", "most"})
-"""With one of these a number is one where the others may be anywhere; "two go there, the rest anywhere": perhaps more."""
+"""With one of these a number is one where the others may be anywhere; "two go there, the rest anywhere" may be more."""
 
 
 def _some_counted(task: TaskSchema, told: Parts) -> bool:

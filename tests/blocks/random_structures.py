@@ -66,6 +66,8 @@ def row(rng: Random) -> Made:
     spacing = rng.choice([{}, {"touching": True}, {"evenly": True}, {"spacing": 0.055}, {"gap": 0.012}])
     named = axis if put.first is None or rng.random() < 0.5 else None
     readable = by != "rainbow" and rng.random() < 0.5 and axis == "y"
+    if axis == "y" and not readable and len(assets) < 6 and rng.random() < 0.3:
+        named = rng.choice(["rising", "falling", "diagonal"])
     return Row(blocks=names(assets), axis=named, order=put, readable=readable, **spacing), assets  # type: ignore[arg-type]
 
 

@@ -7,6 +7,7 @@ import math
 import pytest
 
 from rpg.blocks.state import BlockState, yaw_quat
+from rpg.ir.node import Axis, Slope
 from rpg.ir.order import Order
 from rpg.ir.structures import Equation, Row, Spells, Stack, Towers
 from tests.blocks.structure_states import E, check_built, cubes, letters, patch, plain, state, value, world
@@ -118,6 +119,27 @@ def test_row_along_an_axis(degrees: float, holds: bool) -> None:
     assert value(Row(blocks=THREE, axis="y"), turned) is holds
     across = row_of(RGB, THREE, yaw=math.radians(degrees + 90))
     assert value(Row(blocks=THREE, axis="x"), across) is holds
+
+
+@pytest.mark.parametrize(
+    ("axis", "degrees", "holds"),
+    [("rising", 45, True), ("rising", -45, False), ("rising", 32, True), ("rising", 28, False), ("rising", 62, False),
+     ("falling", -45, True), ("falling", 45, False), ("diagonal", 45, True), ("diagonal", -45, True),
+     ("diagonal", 0, False), ("diagonal", 90, False)],
+)  # fmt: skip
+def test_row_along_a_diagonal(axis: Axis | Slope, degrees: float, holds: bool) -> None:
+    """The row goes from left to right; turned counter-clockwise as seen from above, its right end goes away."""
+    turned = row_of(RGB, THREE, yaw=math.radians(degrees))
+    assert value(Row(blocks=THREE, axis=axis), turned) is holds
+
+
+@pytest.mark.parametrize("steeper", [-8, 8])
+def test_a_diagonal_is_counted_from_its_left_end_whichever_way_it_leans(steeper: float) -> None:
+    for axis, degrees in (("rising", 45 + steeper), ("falling", -45 + steeper)):
+        turned = row_of(RGB, THREE, yaw=math.radians(degrees))
+        left, right = (Order(by="given", ranks=GIVEN.ranks, first=first) for first in ("left", "right"))
+        assert value(Row(blocks=THREE, axis=axis, order=left), turned)
+        assert not value(Row(blocks=THREE, axis=axis, order=right), turned)
 
 
 def test_a_two_by_two_square_is_no_row() -> None:
@@ -280,6 +302,8 @@ def test_equations_are_computed() -> None:
         Row(blocks=THREE, axis="x", touching=True),
         Row(blocks=THREE, axis="y", evenly=True, order=GIVEN.model_copy(update={"first": "right"})),
         Row(blocks=THREE, spacing=0.1),
+        Row(blocks=THREE, axis="rising", order=GIVEN.model_copy(update={"first": "right"})),
+        Row(blocks=THREE, axis="falling", touching=True),
         Row(blocks=THREE, gap=0.02),
     ],
 )

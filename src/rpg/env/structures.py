@@ -7,7 +7,7 @@ from typing import Literal
 
 from rpg.blocks.verdict import Verdict
 from rpg.env.surface import Atoms, Names
-from rpg.ir.node import Axis, Direction
+from rpg.ir.node import Axis, Direction, Slope
 from rpg.ir.order import Attribute, Order, Pattern
 from rpg.ir.structures import Equation, Figure, Grid, GroupBy, Pyramid, Row, Spells, Stack, Staircase, Towers
 
@@ -79,7 +79,7 @@ class Structures(Atoms):
         self,
         blocks: Names,
         *,
-        axis: Axis | None = None,
+        axis: Axis | Slope | None = None,
         order: Order = ANY_ORDER,
         readable: bool = False,
         excused: Names = (),
@@ -96,11 +96,13 @@ class Structures(Atoms):
     ) -> Verdict:
         """`blocks` stand in one straight line.
 
-        `axis` "y" lies from left to right, "x" from front to back (a column on the table); within `angle` degrees
-        of it. Gaps between neighbours' faces at most `gap_edges`, or `spacing` metres between centres, or `gap`
-        metres between faces, each within `tolerance`. `evenly`: gaps within `even_edges` of each other. `readable`:
-        symbols on top read upright for the viewer (but for those `excused`), and in the order's direction. `covered`:
-        cubes that another condition puts a block on; the others that are read have nothing on them.
+        `axis` "y" lies from left to right, "x" from front to back (a column on the table), "rising" from the near
+        left to the far right, "falling" from the far left to the near right, "diagonal" along either, at 45 degrees;
+        within `angle` degrees of it. Gaps between neighbours' faces at most `gap_edges`, or `spacing` metres between
+        centres, or `gap` metres between faces, each within `tolerance`. `evenly`: gaps within `even_edges` of each
+        other. `readable`: symbols on top read upright for the viewer (but for those `excused`), and in the order's
+        direction. `covered`: cubes that another condition puts a block on; the others that are read have nothing on
+        them.
         """
         return self._atom(
             Row,

@@ -55,5 +55,8 @@ def members(operand: Any) -> tuple[str, ...]:
 
 Direction = Literal["left", "right", "front", "back"]
 Axis = Literal["x", "y"]
+Slope = Literal["rising", "falling", "diagonal"]
+"""The diagonals of the table as the viewer sees it: from the near left to the far right, from the far left to the near
+right, or either of them."""
 EACH = "each"
 """The name that stands for the counted block inside `Count`."""

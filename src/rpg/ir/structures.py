@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from rpg.ir.base import Names
-from rpg.ir.node import Axis, Direction, Edges, Length, Metres, Node, Tilt
+from rpg.ir.node import Axis, Direction, Edges, Length, Metres, Node, Slope, Tilt
 from rpg.ir.order import Attribute, Order, Pattern
 
 Members = Annotated[Names, Field(min_length=1)]
@@ -56,16 +56,17 @@ class Towers(Node):
 class Row(Node):
     """`blocks` stand in one straight line.
 
-    `axis` "y" lies from left to right, "x" from front to back (a column on the table); within `angle` degrees of it.
-    Gaps between neighbours' faces at most `gap_edges`, or `spacing` metres between centres, or `gap` metres between
-    faces, each within `tolerance`. `evenly`: gaps within `even_edges` of each other. `readable`: symbols on top read
-    upright for the viewer (but for those `excused`), and in the order's direction. `covered`: cubes that another
-    condition puts a block on; the others that are read have nothing on them.
+    `axis` "y" lies from left to right, "x" from front to back (a column on the table), "rising" from the near left to
+    the far right, "falling" from the far left to the near right, "diagonal" along either, at 45 degrees; within
+    `angle` degrees of it. Gaps between neighbours' faces at most `gap_edges`, or `spacing` metres between centres, or
+    `gap` metres between faces, each within `tolerance`. `evenly`: gaps within `even_edges` of each other. `readable`:
+    symbols on top read upright for the viewer (but for those `excused`), and in the order's direction. `covered`:
+    cubes that another condition puts a block on; the others that are read have nothing on them.
     """
 
     kind: Literal["row"] = "row"
     blocks: Members
-    axis: Axis | None = None
+    axis: Axis | Slope | None = None
     order: Order = Order()
     readable: bool = False
     excused: Names = ()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from typing import Any
+from typing import Any, get_args
 
 from rpg.blocks.english.measures import cm
 from rpg.blocks.english.orders import ATTRIBUTES, along, from_to, ordered, patterned, said_in_turn
@@ -11,6 +11,7 @@ from rpg.blocks.english.own_parts import by_parts
 from rpg.blocks.english.speaker import Speaker
 from rpg.blocks.nouns import join, number
 from rpg.ir import structures as s
+from rpg.ir.node import Slope
 
 WAY = {"left": "to the left", "right": "to the right", "front": "to the front", "back": "to the back"}
 SIDE_BY_SIDE = 1.0
@@ -19,6 +20,18 @@ AS_FAR_AS_YOU_LIKE = 10.0
 """The widest gaps of a line that may be of any length, in edges."""
 POINTER = {"L": "foot", "U": "opening", "T": "stem"}
 """The part of a figure that its direction is the direction of; the tip of a triangle or a V."""
+
+
+_LINES: dict[str | None, str] = {
+    "x": "in a column on the table", "y": "in a row", None: "in a line",
+    **dict.fromkeys(get_args(Slope), "in a diagonal line"),
+}  # fmt: skip
+_SLOPES: dict[tuple[str | None, str | None], str] = {
+    ("rising", None): "near left to the far right", ("falling", None): "far left to the near right",
+    ("rising", "left"): "near left to the far right", ("falling", "left"): "far left to the near right",
+    ("rising", "right"): "far right to the near left", ("falling", "right"): "near right to the far left",
+}  # fmt: skip
+"""A diagonal from where its order begins, or from its left end."""
 
 
 def _form(node: Any, say: Speaker, what: str) -> str:
@@ -67,8 +80,9 @@ def row(node: s.Row, say: Speaker) -> str:
     if (halfway := _halfway(node, say)) is not None:
         return halfway
     near = "side by side " if node.gap_edges == SIDE_BY_SIDE else ""
-    kind = {"x": "in a column on the table", "y": "in a row", None: "in a line"}[node.axis]
-    order = along(node.order, say)
+    kind, order = _LINES[node.axis], along(node.order, say)
+    if way := _SLOPES.get((node.axis, node.order.first)):
+        kind, order = f"{kind} from the {way}", ordered(node.order.model_copy(update={"first": None}), say)
     space = " without gaps" if node.touching else ""
     space += f" with {cm(node.spacing)} between centers" if node.spacing is not None else ""
     space += f" with gaps of {_gap(node.gap, node.tolerance)}" if node.gap is not None else ""

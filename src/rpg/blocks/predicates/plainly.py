@@ -14,7 +14,7 @@ import numpy as np
 from rpg.blocks.centres import Centres, Mask, Numbers
 from rpg.blocks.constants import SUPPORT_GAP
 from rpg.blocks.state import BlockState
-from rpg.ir.node import Axis
+from rpg.ir.node import Axis, Slope
 from rpg.ir.relations import On
 from rpg.ir.structures import Row
 
@@ -61,9 +61,9 @@ def about_middle(many: Centres, names: Sequence[str]) -> tuple[Numbers, Numbers]
     return x - x.mean(axis=1, keepdims=True), y - y.mean(axis=1, keepdims=True)
 
 
-def straight(many: Centres, row: Row, names: Sequence[str], axis: Axis | None) -> Mask:
+def straight(many: Centres, row: Row, names: Sequence[str], axis: Axis | Slope | None) -> Mask:
     """The states in which these blocks may stand at one height and in one line, with the tolerances of `row`, along an
-    axis if there is one."""
+    axis if there is one; a diagonal is no hindrance."""
     edge = many.edges(names).max()
     x, y = about_middle(many, names)
     long, short, angle = spreads(x, y)
@@ -74,7 +74,7 @@ def straight(many: Centres, row: Row, names: Sequence[str], axis: Axis | None) -
     line = many.all()
     line &= abs(off).max(axis=1) <= row.line_edges * edge + ROOM
     line &= (steps - abs(asides) >= CORNER * edge - ROOM).all(axis=1)
-    if axis is not None and len(names) > 1:
+    if axis in ("x", "y") and len(names) > 1:
         across, forward = (ux, uy) if axis == "y" else (uy, ux)
         line &= (np.arctan2(abs(across), abs(forward)) <= math.radians(row.angle + 0.01)).all(axis=1)
     # no line is the best one by much where the blocks lie as far across it as along it

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from random import Random
-from typing import Any
+from typing import Any, get_args
 
 from rpg.blocks.centres import Centres, Mask
 from rpg.blocks.geometry import footprint_gap
@@ -35,10 +35,28 @@ from rpg.blocks.predicates.stack import alone
 from rpg.blocks.state import IDENTITY, BlockState, Quat, Vec3, World, yaw_quat
 from rpg.blocks.traits import AWAY, UP, Traits, symbols_shown
 from rpg.blocks.verdict import ROUNDING, Verdict, every, holds
-from rpg.ir.node import Axis
+from rpg.ir.node import Axis, Slope
 from rpg.ir.order import Order
 from rpg.ir.structures import Row
 
+_DIAGONAL = 1.0 / math.sqrt(2.0)
+_RISING, _FALLING = (_DIAGONAL, -_DIAGONAL), (-_DIAGONAL, -_DIAGONAL)
+_WAYS: dict[Axis | Slope, tuple[tuple[float, float], ...]] = {
+    "x": ((1.0, 0.0),),
+    "y": ((0.0, -1.0),),
+    "rising": (_RISING,),
+    "falling": (_FALLING,),
+    "diagonal": (_RISING, _FALLING),
+}
+"""The unit vectors of each line: away from the viewer, or from left to right."""
+_TURN = math.pi / 4
+_YAWS: dict[Axis | Slope, list[float]] = {
+    "y": [0.0], "x": [math.pi / 2], "rising": [_TURN], "falling": [-_TURN], "diagonal": [_TURN, -_TURN],
+}  # fmt: skip
+"""How a row from left to right is turned to lie along it."""
+SLOPES = get_args(Slope)
+_ROUNDED = 3e-4
+"""Metres between blocks that touch on a diagonal: places are rounded, and they must not reach into each other."""
 SIDES: dict[str, Axis] = {"left": "y", "right": "y", "front": "x", "back": "x"}
 """The axis that a first side asks for."""
 READ_ORDERS = ("label", "number")
@@ -71,10 +89,19 @@ def best_line(state: BlockState, names: Sequence[str]) -> Line:
     return Line([name for _, name, _ in ranked], [a for a, _, _ in ranked], [o for _, _, o in ranked], (ux, uy))
 
 
-def angle_to(axis: Axis, direction: tuple[float, float]) -> float:
+def line_of(node: Row, state: BlockState) -> Line:
+    """The blocks of a row along their best line; those of a diagonal from its left end, whichever way it is steeper."""
+    line = best_line(state, node.blocks)
+    if node.axis not in SLOPES or line.direction[1] < 0.0:
+        return line
+    (ux, uy), off = line.direction, [-o for o in reversed(line.off)]
+    return Line(line.sequence[::-1], [-a for a in reversed(line.along)], off, (-ux, -uy))
+
+
+def angle_to(axis: Axis | Slope, direction: tuple[float, float]) -> float:
     """Degrees between a line and an axis."""
-    across, along = direction if axis == "y" else direction[::-1]
-    return math.degrees(math.atan2(abs(across), abs(along)))
+    ux, uy = direction
+    return min(math.degrees(math.atan2(abs(ux * vy - uy * vx), abs(ux * vx + uy * vy))) for vx, vy in _WAYS[axis])
 
 
 def straightness(line: Line, state: BlockState, line_edges: float) -> float:
@@ -87,7 +114,7 @@ def straightness(line: Line, state: BlockState, line_edges: float) -> float:
     return margin
 
 
-def axis_of(node: Row) -> Axis | None:
+def axis_of(node: Row) -> Axis | Slope | None:
     """The axis that a row must lie along: its own, that of its first side, or the one that reading asks for."""
     implied = SIDES.get(node.order.first or "")
     return node.axis or implied or ("y" if node.readable else None)
@@ -138,7 +165,7 @@ class RowPredicate(Predicate[Row]):
     """Best line, gaps, order, readability."""
 
     def evaluate(self, node: Row, state: BlockState) -> Verdict:
-        return self._along(best_line(state, node.blocks), node, state)
+        return self._along(line_of(node, state), node, state)
 
     def _along(self, line: Line, node: Row, state: BlockState) -> Verdict:
         parts = [holds(min(lined_up(line, state, node), spacing(node, line.sequence, state)))]
@@ -161,12 +188,12 @@ class RowPredicate(Predicate[Row]):
         return node.model_copy(update={"order": Order(), "axis": axis_of(node)})
 
     def in_order(self, node: Row, state: BlockState) -> Verdict:
-        return _in_order(node, best_line(state, node.blocks), state)
+        return _in_order(node, line_of(node, state), state)
 
     def holds(self, node: Row, state: BlockState) -> bool:
         if uneven(state, node.blocks):
             return False
-        line = best_line(state, node.blocks)
+        line = line_of(node, state)
         if straightness(line, state, node.line_edges) < -ROUNDING:
             return False
         if node.order.by != "any" and not _in_order(node, line, state):
@@ -189,17 +216,15 @@ class RowPredicate(Predicate[Row]):
                     yield [cluster]
 
     def _yaws(self, node: Row) -> list[float]:
-        """Turns of a row from left to right: along y, along x, slanting."""
+        """Turns of a row from left to right: along its axis, or along y, along x, slanting."""
         axis = axis_of(node)
-        if axis is not None:
-            return [0.0 if axis == "y" else math.pi / 2]
-        return [0.0, math.pi / 2, SLANT]
+        return _YAWS[axis] if axis is not None else [0.0, math.pi / 2, SLANT]
 
     def near_misses(self, node: Row, state: BlockState, rng: Random) -> Iterator[NearMiss]:
         names = node.blocks
         if len(names) < 2:
             return
-        line = best_line(state, names)
+        line = line_of(node, state)
         if len(names) > 2:
             yield _out_of_line(node, line, state)
         yield gap_too_large(node, line, state)
@@ -226,12 +251,17 @@ def _in_order(node: Row, line: Line, state: BlockState) -> Verdict:
 
 
 def lay(node: Row, sequence: list[str], yaw: float, world: World) -> Cluster | None:
-    """The row from left to right, turned by `yaw`; None where it is longer than the workspace."""
+    """The row from left to right, turned by `yaw`; None where it is longer than the workspace.
+
+    The blocks of a diagonal stand square to the table, corner to corner; those that touch, or of which the gaps are
+    told, are turned with their line.
+    """
     edges = [world.edge[name] for name in sequence]
-    steps = row_steps(edges, room_along(yaw), node)
+    cornered = node.axis in SLOPES and (node.touching, node.gap, node.spacing) == (False, None, None)
+    steps = row_steps([edge / _DIAGONAL for edge in edges] if cornered else edges, room_along(yaw), node)
     if steps is None:
         return None
-    turn = IDENTITY if node.readable else yaw_quat(0.0 if abs(yaw) > 1.5 else yaw)
+    turn = IDENTITY if node.readable or cornered else yaw_quat(0.0 if abs(yaw) > 1.5 else yaw)
     poses: dict[str, tuple[Vec3, Quat | None]] = {}
     offset = -sum(steps) / 2
     for k, name in enumerate(sequence):
@@ -285,7 +315,7 @@ def row_steps(edges: list[float], room: float, node: Row) -> list[float] | None:
     if node.spacing is not None:
         steps = [node.spacing] * len(pairs)
         return steps if all(s >= p for s, p in zip(steps, pairs, strict=True)) and sum(steps) <= room else None
-    gap = 0.0 if node.touching else BUILD_GAP if node.gap is None else node.gap
+    gap = (_ROUNDED if node.axis in SLOPES else 0.0) if node.touching else BUILD_GAP if node.gap is None else node.gap
     free = room - sum(pairs)
     if pairs and free < gap * len(pairs):
         if node.gap is not None:

@@ -52,6 +52,7 @@ _PLAIN = {"alphabet alphabetic alphabetical alphabetically alphabetized": "label
           "ascending descending increasing decreasing": "number size label staircase",
           "checkerboard chessboard": "checkerboard", "circle ring": "circle", "column": "x grid staircase",
           "columns rows": "row grid staircase spells checkerboard towers figure", "equation": "equation",
+          "diagonal diagonally": "rising falling diagonal checkerboard given grid figure behind in_front_of corner",
           "evenly": "evenly spacing count", "grid wall": "grid", "groups": "group_by towers",
           "heap": "heaps group_by",
           "mirror mirrored symmetric symmetrical symmetrically palindrome": "mirrored given",

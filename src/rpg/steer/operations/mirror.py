@@ -11,6 +11,7 @@ from rpg.ir.structures import Row, Spells
 from rpg.ir.walk import transform
 
 SWAP = {"left": "right", "right": "left"}
+_SLOPES = {"rising": "falling", "falling": "rising"}
 
 
 def mirrored(goal: g.Goal) -> g.Goal:
@@ -31,6 +32,8 @@ def _mirror(node: g.Goal) -> g.Goal:
     region = getattr(node, "region", "")
     if "left" in region or "right" in region:
         update["region"] = "_".join(SWAP.get(part, part) for part in region.split("_"))
+    if isinstance(node, Row) and node.axis in _SLOPES:
+        update["axis"] = _SLOPES[node.axis]
     order = getattr(node, "order", None)
     if isinstance(order, Order) and isinstance(node, Row) and node.axis != "x":
         first = order.first or ("left" if order.by == "given" else None)

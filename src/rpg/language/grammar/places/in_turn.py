@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rpg.language.grammar.core import Parser
-from rpg.language.meaning import Absolute, At, Coord, Noun, replace
+from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, replace
 
 _ENDS = frozenset({"left", "right", "front", "back", "top", "bottom"})
 
@@ -11,7 +11,11 @@ _ENDS = frozenset({"left", "right", "front", "back", "top", "bottom"})
 def one_by_one(p: Parser, part: Absolute) -> tuple[Absolute, ...]:
     """ "then blue, green on top": blue comes next, and green alone is on top. Nothing for a single block."""
     theme, place = part.theme, part.adjuncts[0]
-    if not isinstance(theme, Noun) or theme.amount is not None or not isinstance(place, At) or place.side not in _ENDS:
+    if not isinstance(place, At) or place.side not in _ENDS:
+        return ()
+    if isinstance(theme, Coord) and theme.op == "and" and all(map(_single, theme.items)):
+        return (*map(_next, theme.items[:-1]), replace(part, theme=theme.items[-1]))
+    if not isinstance(theme, Noun) or theme.amount is not None:
         return ()
     looks = [replace(theme.traits, colors=(color,)) for color in theme.traits.colors]
     if len(theme.traits.labels) > 1:
@@ -25,8 +29,7 @@ def one_by_one(p: Parser, part: Absolute) -> tuple[Absolute, ...]:
         replace(theme, traits=look, plural=False, head="any", span=span)
         for look, span in zip(looks, named, strict=True)
     ]
-    before = (Absolute(theme=one, adjuncts=(At(side="next", span=one.span),), span=one.span) for one in single[:-1])
-    return (*before, replace(part, theme=single[-1]))
+    return (*map(_next, single[:-1]), replace(part, theme=single[-1]))
 
 
 def in_turn(part: Absolute) -> tuple[Absolute, ...]:
@@ -34,5 +37,14 @@ def in_turn(part: Absolute) -> tuple[Absolute, ...]:
     theme, place = part.theme, part.adjuncts[0]
     if not isinstance(theme, Coord) or theme.op != "then" or not isinstance(place, At) or place.side == "middle":
         return ()
-    before = (Absolute(theme=x, adjuncts=(At(side="next", span=x.span),), span=x.span) for x in theme.items[:-1])
-    return (*before, replace(part, theme=theme.items[-1]))
+    return (*map(_next, theme.items[:-1]), replace(part, theme=theme.items[-1]))
+
+
+def _next(one: Meaning) -> Absolute:
+    return Absolute(theme=one, adjuncts=(At(side="next", span=one.span),), span=one.span)
+
+
+def _single(one: Meaning) -> bool:
+    """A single look without a number."""
+    looks = one.traits.colors + one.traits.labels if isinstance(one, Noun) else ()
+    return isinstance(one, Noun) and len(looks) == 1 and one.amount in (None, Amount(1, 1)) and not one.plural

@@ -102,6 +102,8 @@ _OUTERS = "(?:(?:each|both) (?:of )?)?(?:the )?(?:two )?outer (?:ones?|blocks?|c
 
 _JOINT = "(?: ,| and| , and| ;)+"
 LINES_IN_SHORT: tuple[Turn, ...] = (
+    ("(?<!on )(?<!along )\\b(an?|single) diagonal(?! (?:rows?|lines?|is|are|of (?:the|an?|this|that))\\b)",
+     "{1} diagonal line"),
     ("\\b(?:with )?(?:an? )?(?:gaps?|spacing)(?: of| :| =| is)? (?:0|zero)(?: cm| mm)?(?= ,|$)", "without gaps"),
     ("^(?:please )?(?:spell|write|lay|lay out|show)(?: out)? (?:my|our|his|her|the|their) initials(?: ,| :)? "
      "((?:\\w (?:, and |, |and ))+\\w)(?: in a row)?(?: from left to right)?$",

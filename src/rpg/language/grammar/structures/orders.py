@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.sides import TOWERS, toward
+from rpg.language.grammar.places.slopes import slope
 from rpg.language.grammar.structures.alternation import alternation, what_alternates
 from rpg.language.grammar.structures.ascents import ascent, counted
 from rpg.language.grammar.structures.gradients import from_to
@@ -124,6 +125,7 @@ def order(p: Parser, i: int) -> Results[Meaning]:
         yield from _by_attribute(p, start, j > i)
         yield from temporal(p, start)
         yield from _toward_list(p, start)
+    yield from slope(p, i)
     yield from pattern(p, i)
     yield from spacing(p, i)
     yield from alternation(p, i)

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.sides import SIDES, toward
+from rpg.language.grammar.places.slopes import DIAGONAL
 from rpg.language.grammar.structures.copies import copies
 from rpg.language.grammar.structures.equations import equation, promised, result_alone, unequal
 from rpg.language.grammar.structures.heights import bar_chart
@@ -31,6 +32,7 @@ from rpg.language.meaning import (
     OrderBy,
     Size,
     Structure,
+    Toward,
     Traits,
     replace,
 )
@@ -179,7 +181,7 @@ def _piece(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
     for word, j in p.standing(i, DETAILS):
         yield _Before(details=(replace(DETAILS[word], span=p.span(i, j)),)), j
     if (j := p.one(i, ("diagonal", "slanted", "slanting"))) and p.lex(j, lexicon.STRUCTURE) in _OF_SO_MANY:
-        yield _Before(details=(Manner(kind="diagonal", span=p.span(i, j)),)), j
+        yield _Before(details=(Toward(axis=DIAGONAL, span=p.span(i, j)),)), j
     if j := upside_down(p, i):
         yield _Before(details=(Manner(kind="turn", value=180.0, span=p.span(i, j)),)), j
     yield from _colors_before(p, i)

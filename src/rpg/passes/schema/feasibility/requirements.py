@@ -136,7 +136,8 @@ def _row(row: s.Row, edges: Mapping[str, float]) -> Room:
     room = DEPTH if row.axis == "x" else WIDTH
     pitch = row.spacing or (widest + row.gap if row.gap else widest)
     extent = (len(sizes) - 1) * pitch + widest if row.spacing or row.gap else sum(sizes)
-    return Room(row, row.axis or "any", extent, 1 + int((room - widest) / pitch + 1e-9))
+    axis: Literal["x", "y", "any"] = "x" if row.axis == "x" else "y" if row.axis == "y" else "any"
+    return Room(row, axis, extent, 1 + int((room - widest) / pitch + 1e-9))
 
 
 def _reaches(atom: g.Goal, edges: Mapping[str, float]) -> Iterator[Reach]:

@@ -74,9 +74,6 @@ def check_words(chains: Sequence[Chain], scene: Scene) -> None:
                     _own_parts(part)
                 case Using() | OrderBy() | Absolute():
                     _certain(part)
-                case Manner(kind="diagonal"):
-                    raise refuse("unsupported-structure", "no line is asked for that lies diagonally", part.span,
-                                 "say 'a line', which may lie in any direction, 'a row' or 'a column'")  # fmt: skip
                 case Manner(kind="shift", value=str(said)):
                     raise _unfit(f"it is not clear how far which way {said!r} is", part.span,
                                  "say '10 cm to the left', or 'a bit closer to the robot'")  # fmt: skip

@@ -23,6 +23,7 @@ from rpg.passes.schema.resolve.structures import figures, grids, groups, lots, s
 from rpg.passes.schema.resolve.structures.extents import check_own_lines, check_total, dims_told, totals
 from rpg.passes.schema.resolve.structures.heights import as_heights
 from rpg.passes.schema.resolve.structures.several import each_of, one_by_one
+from rpg.passes.schema.resolve.structures.slanting import check_slanting, slanting, slope_of
 from rpg.passes.schema.resolve.structures.told_of_each import check_top
 from rpg.passes.schema.resolve.things.from_stock import from_stock
 from rpg.passes.schema.resolve.things.members import members_of
@@ -128,6 +129,7 @@ def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
     if one_by_one(shape, spec):
         check_own_lines(shape, scene)
         return each_of(shape, spec, theme, maker, scene, scope)
+    check_slanting(spec.toward, shape.kind)
     built, goals = maker(shape, spec, theme, scene, scope)
     check_total(total, {name for one in built for name in one.members})
     return built, [*goals, *gaps_of(goals, spec)]
@@ -295,12 +297,8 @@ def stack_built(node: s.Stack, scene: Scene) -> Built:
 
 def _row(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
     if shape.upright:
-        raise refuse(
-            "ambiguous",
-            "a vertical row could be a tower, or a column on the table going away from you",
-            shape.span,
-            "say 'tower' or 'column'",
-        )
+        raise refuse("ambiguous", "a vertical row could be a tower, or a column on the table going away from you",
+                     shape.span, "say 'tower' or 'column'")  # fmt: skip
     if any(t.axis == "z" for t in spec.toward) and (shape.kind == "line" or shape.kind == "column"):
         return _stack(replace(shape, kind="stack"), spec, theme, scene, scope)
     shape, theme = lengthened(from_stock(shape, spec, theme, scene), spec, theme, scene)
@@ -308,11 +306,12 @@ def _row(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
     names = members_of(shape, spec, theme, exact_size(shape) or least, amount_of(shape.members) or 4, scene, scope)
     if len(names) < 2:
         raise refuse("too-few", "one block is no line", shape.span, "name at least two blocks", blocks=len(names))
+    slope = slope_of(spec, shape.kind, shape.span)
     node = row_node(names, shape.kind, spec, scene, scope, shape.span, shape.upright is False)
-    nodes = [node.model_copy(update={"order": o}) for o in alternatives(node.order, scene, line=True)]
-    return [
-        row_built(node, shape.kind, scene) if len(nodes) == 1 else scene.add_built(shape.kind, names, False, shape.span)
-    ], [either(nodes)]
+    nodes = [slanting(node, slope, order) for order in alternatives(node.order, scene, line=True)]
+    if len(nodes) > 1:
+        return [scene.add_built(shape.kind, names, False, shape.span)], [either(nodes)]
+    return [row_built(nodes[0], shape.kind, scene)], [*nodes]
 
 
 def _gradient(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:

@@ -13,6 +13,7 @@ from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Absolute, At, Meaning, Noun, Structure, Traits, Using, parts_of, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.structures.extents import plain
+from rpg.passes.schema.resolve.structures.slanting import SLOPES
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.things import create
 from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, Thing, refuse
@@ -54,7 +55,7 @@ def word(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
     if over and any(b.kind == "word" for b in scene.built):
         raise refuse("ambiguous", "the letters of each word, or one word above the other?", over[0].span,
                      "say 'each in a tower', or 'one behind the other'")  # fmt: skip
-    for way in (t for t in spec.toward if t.axis == "x" or t.first in ("front", "back")):
+    for way in (t for t in spec.toward if t.axis == "x" or t.axis in SLOPES or t.first in ("front", "back")):
         raise refuse("misplaced", "a word is read from left to right, or down a tower", way.span, "leave this out")
     backward = spec.manner("backwards") is not None or spec.first("right", "bottom") is not None
     spec.toward = []
@@ -301,7 +302,7 @@ def _labelled(source: Meaning) -> bool:
 
 def _equation_node(names: tuple[str, ...], text: str | None, spec: Spec, shape: Structure, scene: Scene) -> Made:
     upright = _along(spec)
-    for way in (t for t in spec.toward if t.first == "right"):
+    for way in (t for t in spec.toward if t.first == "right" or t.axis in SLOPES):
         raise refuse("misplaced", "an equation is read from left to right", way.span, "leave the direction out")
     spec.toward = []
     longer = text is not None and bool(re.search(r"\d\d", text))

@@ -44,7 +44,7 @@ _SPELT = frozenset({"spelled", "spelt", "written"})
 _WORD_LEADS = frozenset({"word", "name"})
 _NOT_LITERAL = frozenset({"a", "an", "the", "out", "word", "words", "some", "any", "it", "with", "using", "from",
                           "by", "something", "my", "your", "in", "on", "across", "down", "that", "these", "this",
-                          "those", "again", "backwards", "backward"})  # fmt: skip
+                          "those", "again", "backwards", "backward", "another"})  # fmt: skip
 
 
 SHORT_FORMS = {

@@ -32,9 +32,8 @@ def _so_many(p: Parser, j: int, k: int) -> bool:
 def spell(p: Parser, i: int, j: int, lemma: str) -> Results[Clause]:
     """ "spell CAT with letter blocks", "spell the word 'ROBOT'", "spell a word"."""
     j = p.opt(j, "out")
-    text = literal(p, j) or digits_of(p, j)
-    themes: list[tuple[Meaning, int]] = []
-    if text is not None:
+    themes: list[tuple[Meaning, int]] = [*word_named(p, j)]
+    if (text := digits_of(p, j)) is not None:
         themes.append((Structure(kind="word", det="the", letter=text, span=p.span(j, j + 1)), j + 1))
     themes += [(t, k) for t, k in noun_phrase(p, j) if isinstance(t, Structure) and t.kind in ("word", "equation")]
     themes += [(t, end) for t, k in themes if (end := _not_another(p, k)) > k]
@@ -44,11 +43,20 @@ def spell(p: Parser, i: int, j: int, lemma: str) -> Results[Clause]:
         beside = [((word, *more), e) for word, m in beside_word(p, k) for more, e in adjuncts(p, m)]
         letters = theme.letter if isinstance(theme, Structure) else None
         ways = [*adjuncts(p, k), *beside]
-        again = [(found, told) for found, end in ways if letters for told in told_reversed(p, end, letters, found)]
-        more = [(a, b, e) for a, told in again for n in {told, p.opt(told, ",")} for b, e in adjuncts(p, n)]
+        turned = [(found, told) for found, end in ways if letters for told in told_reversed(p, end, letters, found)]
+        more = [(a, b, e) for a, told in turned for n in {told, p.opt(told, ",")} for b, e in adjuncts(p, n)]
         for found, end in [((*a, *b), e) for a, b, e in more] or ways:
             span, word = p.span(i, end), p.span(i, i + 1)
             yield Clause(verb="spell", lemma=lemma, theme=theme, adjuncts=found, span=span, word=word), end
+
+
+def word_named(p: Parser, j: int) -> Results[Structure]:
+    """ "CAT", "another CAT"."""
+    again = p.any_of(j, ("another", "a second"))
+    text = literal(p, again or j)
+    end = (again or j) + 1
+    if text is not None:
+        yield Structure(kind="word", det="a" if again else "the", letter=text, span=p.span(j, end)), end
 
 
 def _not_another(p: Parser, j: int) -> int:

@@ -16,7 +16,7 @@ from rpg.language.grammar.clauses.pointing import direction
 from rpg.language.grammar.clauses.put_back import picked_out, put_back
 from rpg.language.grammar.clauses.remade import of_what_is_there, put_down, read_otherwise, remade, reverse, taken_off
 from rpg.language.grammar.clauses.separated import KEEPING, kept_separate, separated
-from rpg.language.grammar.clauses.spelt import spelling
+from rpg.language.grammar.clauses.spelt import spelling, word_named
 from rpg.language.grammar.clauses.them_listed import them_listed
 from rpg.language.grammar.clauses.turned import REST, not_turned
 from rpg.language.grammar.clauses.verb_again import in_line_already
@@ -27,7 +27,6 @@ from rpg.language.grammar.structures.from_an_end import in_turn
 from rpg.language.grammar.structures.orders import order
 from rpg.language.grammar.structures.sizes import AS_HIGH
 from rpg.language.grammar.things.adjectives import adjectives
-from rpg.language.grammar.things.labels import literal
 from rpg.language.grammar.things.likes import like_with_like
 from rpg.language.grammar.things.nouns import noun_phrase, simple
 from rpg.language.meaning import (
@@ -359,9 +358,10 @@ def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
         if isinstance(theme, Noun | Coord):
             yield replace(before, theme=theme, span=p.span(i, j), cost=1), p.opt(j, "be")
     yield from (*_elsewhere(p, i, before), *_next_one(p, i, before), *_untouching(p, i, before))
-    if before.verb == "spell" and isinstance(before.theme, Structure) and (text := literal(p, i)) is not None:
-        word = Structure(kind="word", det="the", letter=text, span=p.span(i, i + 1))
-        for found, k in adjuncts(p, i + 1) if len(text) > 1 else ():
+    for word, end in word_named(p, i) if before.verb == "spell" and isinstance(before.theme, Structure) else ():
+        if word.letter == getattr(before.theme, "letter", ""):  # "SUN on the red mat and SUN on the blue one"
+            word = replace(word, det="a")
+        for found, k in adjuncts(p, end) if len(word.letter or "") > 1 else ():
             own = tuple(a for a in before.adjuncts if isinstance(a, Using) and Using not in map(type, found))
             yield replace(before, theme=word, adjuncts=(*own, *found), span=p.span(i, k)), k
     said = bool(before.adjuncts) and not (before.verb == "exist" and before.theme is None)

@@ -25,7 +25,7 @@ _SIDES = frozenset({"left", "right", "front", "behind"})
 def beside_word(p: Parser, k: int) -> Results[Loc]:
     """ "(write CAT) behind DOG": beside another word."""
     for (name, mods), j in relation(p, k):
-        text = literal(p, j) if name in _SIDES and j < p.end and p.tokens[j].kind == "literal" else None
+        text = literal(p, j) if name in _SIDES and j < p.end and p.tokens[j].kind != "quote" else None
         if text is not None and len(text) > 1 and text.isalpha():
             word = Structure(kind="word", det="the", letter=text, span=p.span(j, j + 1))
             yield Loc(rel=name, landmark=word, mods=mods, span=p.span(k, j + 1)), j + 1

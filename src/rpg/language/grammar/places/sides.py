@@ -44,6 +44,8 @@ _BEGINNING = {
     **{f"{starting} {at} {the}{side}{end}": (side, axis) for starting in ("starting", "beginning", "begin", "start")
        for at in ("from", "at", "on") for side, axis in _ENDS.items() for the in ("the ", "")
        for end in ("", " end", " side", " edge")},
+    **{f"{starting} {at} the {far} end": (side, "x") for starting in ("starting", "beginning") for at in ("from", "at")
+       for far, side in (("near", "front"), ("far", "back"))},
     **{f"{starting} {near} me": (side, "x") for starting in ("starting", "beginning") for near, side in
        (("nearest to", "front"), ("closest to", "front"), ("farthest from", "back"), ("furthest from", "back"))},
     **{f"{going} {way}": (side, axis) for going in ("going", "moving", "working", "working your way", "progressing")

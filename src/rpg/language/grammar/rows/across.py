@@ -9,6 +9,7 @@ from rpg.language.grammar.rows.kinds_in_rows import ROWS_HAVE
 from rpg.language.grammar.rows.said_short import PLACE, THING
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.two_rows import WORDS_IN_ROWS
+from rpg.language.grammar.rows.two_words import TWO_WORDS
 from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, MANY, MUST, PATCH, PATCHES
 
 _NEXT = (
@@ -73,6 +74,7 @@ ACROSS: tuple[Turn, ...] = (
     (f"{_TIDY}(?:the|my|our) (?:{CUBE}s|letters|digits|numbers|toys){_FOR}", ""),
     *WRONG_WAY_ROUND,
     *WORDS_IN_ROWS,
+    *TWO_WORDS,
     *ROWS_HAVE,
     ("\\b(in two rows) \\. (?=[^.]* in the (?:back|front|far|near|first|second) row\\b)", "{1} : "),
     # "one mat is blue, the other is white"

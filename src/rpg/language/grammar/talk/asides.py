@@ -98,7 +98,7 @@ def without_asides(tokens: list[Token]) -> list[Token]:
         if end == at:
             if waiting and words[at] in _STOPS:
                 out, waiting = out + waiting, []
-            again = out and words[at] in _BEGUN and out[-1].raw.lower() == tokens[at].raw == words[at]
+            again = out and (raw := tokens[at].raw) == words[at] in _BEGUN and out[-1].raw in (raw, raw.capitalize())
             if not again or (out[-1].raw == "A" and len(out) > 1):  # "turn block A a quarter turn"
                 out.append(tokens[at])
             at += 1

@@ -11,6 +11,7 @@ from rpg.passes.schema.resolve.orders.at_an_end import several_at_an_end
 from rpg.passes.schema.resolve.orders.by_size import BY_SIZE, by_size
 from rpg.passes.schema.resolve.orders.by_value import HIGHEST, by_value, highest
 from rpg.passes.schema.resolve.orders.in_grids import CELLS
+from rpg.passes.schema.resolve.orders.letter_by_letter import told_alike
 from rpg.passes.schema.resolve.orders.positions import SIDES
 from rpg.passes.schema.resolve.orders.reordered import begun_in_order
 from rpg.passes.schema.resolve.places.sided_patches import sided_patch
@@ -222,11 +223,13 @@ def _such(built: Built, noun: Noun, scene: Scene) -> Built:
 
 
 def _told_apart(built: Built, name: str, noun: Noun, scene: Scene) -> None:
-    """Refuse one of the letters of a word that show the same: any of them may stand in its place."""
+    """One of the letters of a word that show the same stands in its own place, or is refused: any of them might."""
     labels = [scene.things[n].label for n in built.members]
-    if built.kind in ("word", "equation") and labels.count(scene.things[name].label) > 1:
-        raise refuse("ambiguous", "this stands several times in the word, and any of them may stand at each place",
-                     noun.span, "speak of a letter that stands there once")  # fmt: skip
+    if built.kind not in ("word", "equation") or labels.count(scene.things[name].label) < 2:
+        return
+    if built.kind == "equation":
+        raise told_alike(noun.span)
+    scene.one_by_one[built.members] = noun.span
 
 
 def _numbered(noun: Noun, number: str, scene: Scene) -> Ref:

@@ -9,14 +9,15 @@ from itertools import permutations, product
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import structures as s
-from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Absolute, At, Meaning, Noun, Structure, Traits, Using, parts_of, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.structures.column_words import along_column, in_column
 from rpg.passes.schema.resolve.structures.extents import plain
 from rpg.passes.schema.resolve.structures.slanting import SLOPES
+from rpg.passes.schema.resolve.structures.letters import cubes_for
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.things import create
-from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, Thing, refuse
+from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, refuse
 
 MAX_SEARCHED = 8
 DEFAULT_WORD = "CAT"
@@ -48,8 +49,10 @@ def word(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
         raise refuse(
             "unknown-symbol" if bad else "too-few", what, shape.span, "use the letters A to Z and the digits 0 to 9"
         )
-    names = _cubes(text, spec, theme, scene, scope, shape.span)
+    names = cubes_for(text, spec, theme, scene, shape.span)
     details = [x for into in spec.intos if isinstance(into.structure, Structure) for x in into.structure.details]
+    if in_column(spec):
+        return along_column(text, names, spec, shape, scene)
     over = [p for p in spec.places if getattr(p, "rel", "") == "heaped"]
     upright = _along(spec)
     if over and any(b.kind == "word" for b in scene.built):
@@ -114,116 +117,6 @@ def _along(spec: Spec) -> bool:
     return upright
 
 
-def _cubes(text: str, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope, span: Span) -> tuple[str, ...]:
-    """One cube for every symbol of the text, those that are there already first; all that are named if one lacks."""
-    source = spec.usings.pop(0).members if spec.usings else None
-    traits = Traits()
-    if theme is None and isinstance(source, Noun):
-        open_ended = (
-            source.amount is None and not source.traits.labels and source.det not in ("the", "all", "both", "other")
-        )
-        if source.amount is not None and source.amount.low != len(text):
-            raise refuse(
-                "count-mismatch",
-                f"{text} has {len(text)} letters, but {source.amount.low} blocks are named",
-                source.span,
-                f"say {len(text)} blocks",
-                letters=len(text),
-            )
-        unnamed = open_ended or source.amount is not None or not _has_symbols(scene)
-        if unnamed and not source.traits.labels:
-            traits = source.traits
-            if traits.quality or len(traits.colors) > 1:
-                raise refuse(
-                    "ambiguous", "it is not clear which letters look like this", source.span, "name each by its letter"
-                )
-        else:
-            theme = refer(source, scene, Scope(role="member"))
-    elif theme is None and source is not None:
-        theme = refer(source, scene, Scope(role="member"))
-    if theme is not None:
-        theme = replace(theme, names=scene.fit(theme.names, len(text)))
-    begun = {n for goal in scene.start_goals for n in names_in(goal)}
-    there = [t for t in scene.blocks() if (t.declared or t.name in begun) and not t.extra]
-    pool = [scene.things[n] for n in theme.names] if theme is not None else there
-    names: list[str] = []
-    for symbol in text:
-        found = next((t for t in pool if t.label == symbol and t.name not in names), None)
-        if found is None:
-            found = next((t for t in pool if t.label is None and t.color is None and t.name not in names), None)
-            if found is not None:
-                _label(found, symbol)
-        if found is None and theme is not None and any(t.label for t in pool):
-            return theme.names
-        if found is None and theme is None:
-            found = _asked_for(symbol, names, traits, scene, span)
-        if found is None:
-            if traits.kind == ("digit" if symbol in string.ascii_uppercase else "letter"):
-                raise refuse("order-misfit", f"{symbol} is on none of these blocks", span, "use letter blocks")
-            if traits.kind == "plain":
-                raise refuse("order-misfit", "plain blocks spell nothing", span, "use letter blocks")
-            found = create(
-                Traits(labels=(symbol,), colors=traits.colors[:1], edge=traits.edge, size=traits.size), scene, False
-            )
-        names.append(found.name)
-    if isinstance(source, Noun) and source.part_of is not None and not {*names} <= {t.name for t in pool}:
-        raise refuse("order-misfit", f"these blocks do not show {text}", source.span, "use letter blocks")
-    if len(pool) > len(names):
-        scene.used.update(names)
-    if theme is not None:
-        _none_left(pool, names, text, span)
-    return tuple(names)
-
-
-def _asked_for(symbol: str, names: list[str], traits: Traits, scene: Scene, span: Span) -> Thing | None:
-    """ "Put the A on the mat. Spell CAT": the cube of which something is asked already, unless that takes it away.
-
-    One of a word or an equation is in that; whether one that lies on a block is to be taken for this is asked.
-    """
-    named = {n for m in scene.mentions if not any(b.kind in _READ for b in m.ref.built) for n in m.ref.names}
-    taken = {n for b in scene.built if b.kind in _READ for n in b.members}
-    for thing in scene.blocks():
-        if thing.label != symbol or thing.name in {*names, *taken} or thing.name not in named or thing.extra:
-            continue
-        if traits.colors and thing.color not in (None, *traits.colors):
-            continue
-        towers = [b for b in scene.built if b.kind in ("stack", "towers") and thing.name in b.members]
-        if any(not b.ordered or b.members[0] != thing.name for b in towers) or thing.name in scene.on_top:
-            hint = f"say 'with another {symbol}', or say what happens to the one in the tower first"
-            raise refuse("ambiguous", f"this could be the {symbol} that is in a tower, or a further one", span, hint)
-        return thing
-    return None
-
-
-_READ = ("word", "equation")
-
-
-def _none_left(pool: list[Thing], names: list[str], text: str, span: Span) -> None:
-    """Refuse blocks that were named for a word and are not in it."""
-    left = [t for t in pool if t.name not in names and t.label is None and t.color is None]
-    if left:
-        raise refuse(
-            "count-mismatch",
-            f"{text} has {len(text)} letters, but {len(pool)} blocks are named",
-            span,
-            f"say {len(text)} blocks",
-            letters=len(text),
-        )
-
-
-def _has_symbols(scene: Scene) -> bool:
-    return any(t.label for t in scene.blocks())
-
-
-def _label(thing: Thing, symbol: str) -> None:
-    letter = symbol in string.ascii_uppercase
-    if thing.kind == ("digit" if letter else "letter"):
-        what = "number" if letter else "letter"
-        raise refuse("order-misfit", f"no {what} block shows {symbol}", None, "name the blocks by what they show")
-    thing.label = symbol
-    thing.kind = "letter" if symbol in string.ascii_uppercase else "digit" if symbol in string.digits else "symbol"
-
-
 def equation(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
     """ "2+3=5", "a correct equation"."""
     plain(shape)
@@ -245,7 +138,7 @@ def equation(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scop
         return _equation_node(theme.names, None, spec, shape, scene)
     if theme is None and text is None:
         scene.assume(f"the numbers are not said: cubes for {chosen}, any true equation of them counts")
-    return _equation_node(_cubes(chosen, spec, theme, scene, scope, shape.span), text, spec, shape, scene)
+    return _equation_node(cubes_for(chosen, spec, theme, scene, shape.span), text, spec, shape, scene)
 
 
 def _with_result(
@@ -261,7 +154,7 @@ def _with_result(
     chosen = f"{sides[0]}={result}"
     alone = sign in "+*" and result < 10
     scene.assume(f"the numbers are not said: cubes for {chosen}")
-    names = _cubes(chosen, spec, None, scene, scope, shape.span)
+    names = cubes_for(chosen, spec, None, scene, shape.span)
     return _equation_node(names, None if alone else chosen, spec, shape, scene)
 
 

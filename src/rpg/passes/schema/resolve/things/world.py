@@ -169,7 +169,7 @@ class Scene:
     `regions`: the part of the table that a clause tells.
     `patch_sides`: patches by the side on which they lie, and where that was said last.
     `ranges`: symbols that are told by the first and the last of them. `in_any_order`: blocks of lines of which it is
-    said that any order will do.
+    said that any order will do. `one_by_one`: words of which a letter is told apart from others that show the same.
     """
 
     things: dict[str, Thing] = field(default_factory=dict)
@@ -213,6 +213,7 @@ class Scene:
     tallied: set[str] = field(default_factory=set)
     stocked: set[str] = field(default_factory=set)
     untouched: set[str] = field(default_factory=set)
+    one_by_one: dict[tuple[str, ...], Span] = field(default_factory=dict)
     same_order: list[tuple[tuple[str, ...], str | None, Span]] = field(default_factory=list)
     each: tuple[int, Span] | None = None
     each_in: int = 0

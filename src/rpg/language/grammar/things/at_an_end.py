@@ -26,7 +26,8 @@ _ENDS = {
 }  # fmt: skip
 _ONES = frozenset({"ones", *(word for word, several in BLOCK.items() if several), "letters", "digits"})
 _BEHIND = frozenset({"off", "on", "onto", "and", "down", "away", "apart", "to", "must", "should", "are", "next", "in",
-                     "into", ",", "side", "beside", "go", "stay", "move", "come", "leave", "swap", "trade", "change"})  # fmt: skip
+                     "into", ",", "side", "beside", "go", "stay", "move", "come", "leave", "swap", "trade",
+                     "change"})  # fmt: skip
 """What stands behind "the top two" where no blocks are named."""
 _OF_EACH = Patterns("of|in the|both|all|these|those two|2|three|3|four|4? towers|stacks|piles|rows|lines|columns",
                     "of|in both|each|each_of_the|every of_the? towers|tower|stacks|stack|rows|row")  # fmt: skip

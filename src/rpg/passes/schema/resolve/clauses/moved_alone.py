@@ -3,8 +3,6 @@ others are all that are named anywhere."""
 
 from __future__ import annotations
 
-from itertools import pairwise
-
 from rpg.language.meaning import Chain, Clause, Coord, Manner, Meaning, Noun, Pronoun, Traits, replace
 
 
@@ -23,13 +21,16 @@ def moved_alone(clause: Meaning) -> Noun | None:
 
 
 def named_for_it(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
-    """The sentences with that block named where "it" begins the next one."""
-    found = list(chains[:1])
-    for before, after in pairwise(chains):
-        sole, first = moved_alone(before.clauses[-1]), after.clauses[0]
-        it = isinstance(first, Clause) and isinstance(first.theme, Pronoun) and first.theme.word == "it"
-        if sole is not None and it and isinstance(first, Clause):
-            named = replace(sole, span=first.theme.span) if first.theme is not None else sole
-            after = replace(after, clauses=(replace(first, theme=named), *after.clauses[1:]))
-        found.append(after)
+    """The sentences with that block named where "it" begins what is said next."""
+    found: list[Chain] = []
+    sole: Noun | None = None
+    for chain in chains:
+        clauses: list[Meaning] = []
+        for clause in chain.clauses:
+            it = isinstance(clause, Clause) and isinstance(clause.theme, Pronoun) and clause.theme.word == "it"
+            if sole is not None and it and isinstance(clause, Clause) and clause.theme is not None:
+                clause = replace(clause, theme=replace(sole, span=clause.theme.span))
+            sole = moved_alone(clause)
+            clauses.append(clause)
+        found.append(replace(chain, clauses=tuple(clauses)) if tuple(clauses) != chain.clauses else chain)
     return tuple(found)

@@ -76,8 +76,6 @@ def keep(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if clause.verb == "place":
         scene.returned.update(theme.names)
     stayed = _stayed(theme, clause.span)
-    if theme.op == "except" and getattr(clause.theme, "op", "") == "except":
-        scene.mention(theme.parts[-1], "theme")  # "nothing but the red block may be moved. Put it on ..."
     if any(m.value == "wholly" for m in stays):
         scene.untouched.update(theme.names)
     if isinstance(clause.theme, Structure) and stays:  # "leave the tower of red and blue alone": it is there

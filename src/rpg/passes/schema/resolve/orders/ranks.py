@@ -114,7 +114,7 @@ def _several_off_the_top(noun: Noun, scene: Scene) -> Ref | None:
     """ "(A tower of four red blocks.) The top two go on the mat": whichever are moved were on top."""
     wholes, many = _wholes(scene), noun.amount
     tower = wholes[0] if len(wholes) == 1 and wholes[0].kind == "stack" and not wholes[0].ordered else None
-    if tower is None or many is None or not 1 < many.low == many.high < len(tower.members):
+    if tower is None or many is None or many.low != many.high or not 1 < many.low < len(tower.members):
         return None
     if noun.head == "patch" or not _is_taken(noun, tower, scene):
         return None

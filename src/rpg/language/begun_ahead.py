@@ -16,6 +16,7 @@ _WISHED = frozenset({"must", "should", "shall", "will", "goal", "end", "finally"
                      "stays", "remain", "remains", "keep", "keeps", "still"})  # fmt: skip
 """With these a sentence tells of the end, or says itself when it is so."""
 _STAND = frozenset({"stand", "stands", "lie", "lies", "sit", "sits"})
+_GOING = frozenset({"leave", "leaves", "move", "moves", "stay", "stays"})
 _TO_BE = frozenset({"must", "should", "shall", "will", "want", "goal", "end", "finally", "has", "have", "needs", "to"})
 _ASKING = ("i want", "i would", "we want", "please", "now", "then", "at the end", "in the end", "finally")
 
@@ -40,9 +41,17 @@ def stands_first(words: Sequence[Token]) -> bool:
     is there at the start, and is not what is to be built."""
     first, *rest = sentences([*words])
     said = {token.word for token in first}
-    fact = not said.isdisjoint(_STAND) and said.isdisjoint(_TO_BE) and first[0].word not in lexicon.COMMANDS
+    there = first[0].word == "there" and any(map(_goes_off, rest))
+    fact = (there or not said.isdisjoint(_STAND)) and said.isdisjoint(_TO_BE) and first[0].word not in lexicon.COMMANDS
     built = any(token.word in lexicon.STRUCTURE for token in first)
-    return fact and built and any(part[0].word in lexicon.COMMANDS for part in rest)
+    return fact and built and any(part[0].word in lexicon.COMMANDS or _goes_off(part) for part in rest)
+
+
+def _goes_off(part: Sequence[Token]) -> bool:
+    """Whether a sentence tells what leaves what was told, or stays: "the two on top go on the patch"."""
+    words = {token.word for token in part}
+    on_patch = not words.isdisjoint(lexicon.PATCH) and not words.isdisjoint(("go", "goes"))
+    return on_patch or not words.isdisjoint(_GOING)
 
 
 def _asks(part: Sequence[Token]) -> bool:

@@ -21,6 +21,7 @@ from rpg.language.meaning import (
     replace,
 )
 from rpg.passes.schema.resolve.clauses.between_two import of_a_line
+from rpg.passes.schema.resolve.clauses.moved_alone import moved_alone
 from rpg.passes.schema.resolve.places.mutual import WHATEVER
 from rpg.passes.schema.resolve.things.spare import definite, leaves_out
 from rpg.passes.schema.resolve.things.world import refuse
@@ -119,6 +120,8 @@ def of_everything(chain: Chain, pointed: bool) -> bool:
     if all(isinstance(clause, Clause) and _of_no_block(clause) for clause in chain.clauses):
         return True
     if not pointed and all(isinstance(clause, Clause) and _begins_with_all(clause) for clause in chain.clauses):
+        return True
+    if not pointed and all(moved_alone(clause) is not None for clause in chain.clauses):
         return True
     return all(
         isinstance(clause, Clause)

@@ -8,6 +8,7 @@ from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.meaning import Clause, Loc, Meaning, Noun, Pronoun, Spacing, Structure
 
 _FROM = ("out of", "out from", "from", "off")
+_OUT = frozenset({"out", "away"})
 _KINDS = frozenset({"row", "line", "column", "stack"})
 _CLOSE = Patterns(
     ",? and|then|, close up? the|any gap|hole|space that_is_left|left_behind?",
@@ -45,8 +46,6 @@ def _sources(p: Parser, i: int, k: int) -> Results[tuple[Meaning, ...]]:
         known = isinstance(whole, Structure) and whole.det == "the" and not whole.plural and whole.members is None
         if known and isinstance(whole, Structure) and whole.kind in _KINDS:
             yield (Loc(rel="off", landmark=whole, span=p.span(k, end)),), end
-    out = p.one(k, "out") or (
-        k if p.follows(k, ("out",)) or p.stands(i, ("remove",)) or p.stands(i + 1, ("out",)) else 0
-    )
+    out = p.one(k, _OUT) or (k if p.follows(k, _OUT) or p.stands(i, ("remove",)) or p.stands(i + 1, _OUT) else 0)
     if out:
         yield (), out

@@ -230,8 +230,10 @@ _OFF_IT = ("from", "off", "off of", "away from", "down from")
 _GOING_ON = frozenset({",", "and", "then"})
 """What follows where it is also said where it goes."""
 _OFF = ("off", "off again", "off there", "from there", "off from there", "away from there", "off of there", "down",
-        "down again", "down from there", "back down", "back off", "away again", "out of there")  # fmt: skip
+        "down again", "down from there", "back down", "back off", "away", "away again", "out of there")  # fmt: skip
 """Where something is taken from that was said to be somewhere."""
+_AHEAD = frozenset({"off", "away", "down"})
+"""What of these may stand behind the verb."""
 _CLOSED = frozenset({",", ";", "and", "then", ".", "so", "such"})
 
 
@@ -269,9 +271,10 @@ def _taken_off(p: Parser, i: int, k: int, theme: Meaning) -> Results[Clause]:
         if isinstance(patch, Noun) and patch.head == "patch":
             span, word = p.span(i, end), p.span(i, i + 1)
             yield Clause(verb="remove", lemma="clear", theme=patch, span=span, word=word, cost=1), end
-    end = p.any_of(k, _OFF)
+    ahead = p.stands(i + 1, _AHEAD)  # "take off the top one"
+    end = p.any_of(k, _OFF) or k * ahead
     if end and (end >= p.end or p.stands(end, _CLOSED)):
-        there = Pronoun(word="there", span=p.span(k, end))
+        there = Pronoun(word="there", span=p.span(k, end) if end > k else p.span(i + 1, i + 2))
         off = Loc(rel="off", landmark=there, span=there.span)
         for so, last in adjuncts(p, end):
             if all(isinstance(a, That) for a in so):

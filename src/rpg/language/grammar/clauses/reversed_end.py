@@ -16,9 +16,14 @@ _REVERSE = Patterns(
     "the order reversed", "everything|all reversed",
 )  # fmt: skip
 """What something is the other way round."""
+_LINES = ("tower", "stack", "row", "line", "column")
+_OF_LINE = "|".join(f"of_{the}_{line}" for the in ("the", "this") for line in _LINES)
+_ORDER = f"the|its|their order of_it|of_them|of_the_blocks|of_the_cubes|{_OF_LINE}?"
+_TURNED = "reversed|inverted|flipped|the_other_way_round|the_other_way_around"
 _ORDER_IS = Patterns(
-    "the|its|their order should|must|shall|has_to|needs_to be reversed|inverted|flipped",
-    "the|its|their order is to_be reversed|inverted|flipped",
+    f"{_ORDER} should|must|shall|has_to|needs_to be {_TURNED}",
+    f"{_ORDER} is to_be {_TURNED}",
+    f"{_ORDER} is {_TURNED}",
 )  # fmt: skip
 
 

@@ -22,11 +22,12 @@ _ENDS = {
     "top": "top", "upper": "top", "topmost": "top", "uppermost": "top", "bottom": "bottom", "lower": "bottom",
     "bottommost": "bottom", "lowest": "bottom", "left": "left", "leftmost": "left", "right": "right",
     "rightmost": "right", "first": "1", "last": "last", "front": "front", "back": "back",
-    "middle": "middle", "central": "middle", "inner": "middle",
+    "middle": "middle", "central": "middle", "inner": "middle", "outer": "outer", "outermost": "outer",
 }  # fmt: skip
 _ONES = frozenset({"ones", *(word for word, several in BLOCK.items() if several), "letters", "digits"})
 _BEHIND = frozenset({"off", "on", "onto", "and", "down", "away", "apart", "to", "must", "should", "are", "next", "in",
-                     "into", ",", "side", "beside"})  # fmt: skip
+                     "into", ",", "side", "beside", "go", "stay", "move", "come", "leave", "swap", "trade",
+                     "change"})  # fmt: skip
 """What stands behind "the top two" where no blocks are named."""
 _OF_EACH = Patterns("of|in the|both|all|these|those two|2|three|3|four|4? towers|stacks|piles|rows|lines|columns",
                     "of|in both|each|each_of_the|every of_the? towers|tower|stacks|stack|rows|row")  # fmt: skip

@@ -23,8 +23,16 @@ _THERE = {
     **{f"{at} the {side}": way
        for side, way in {"left end": "left", "right end": "right", "near end": "front", "far end": "back",
                          "front end": "front", "back end": "back", "very left": "left", "very right": "right",
-                         "far left": "left", "far right": "right", "left": "left", "right": "right"}.items()
+                         "far left": "left", "far right": "right", "left": "left", "right": "right",
+                         "very top": "top", "very bottom": "bottom", "top": "top", "bottom": "bottom"}.items()
        for at in ("at", "on")},
+    "on top": "top",
+}  # fmt: skip
+_SEVERAL_THERE = {
+    **_THERE,
+    **{f"{at} {ends}": "outer" for ends in ("the ends", "the two ends", "both ends", "either end", "its ends")
+       for at in ("at", "on")},
+    "on the outside": "outer",
 }  # fmt: skip
 OF_LINE = ("of it", "of them", "of these", "of those", "of which", "of the row", "of the line", "of the column",
             "of that row", "in the row", "in the line", "of the word", "of this row",
@@ -41,6 +49,8 @@ def in_line(p: Parser, i: int, j: int, noun: Noun) -> Results[Noun]:
             known = isinstance(whole, Structure) and whole.kind == "stack" and whole.det == "the" and not whole.plural
             if known and (p.words[j] == "of" or getattr(whole, "members", None) is None):
                 yield replace(noun, part_of=whole, span=p.span(i, end)), end
+    if noun.plural and noun.amount is not None:
+        yield from _several(p, i, j, noun)
     if noun.plural or noun.head == "patch" or noun.det not in ("the", "its"):
         return
     if rank is None and noun.traits == Traits() and noun.amount is None and p.stands(j - 1, _ONE):
@@ -54,6 +64,16 @@ def in_line(p: Parser, i: int, j: int, noun: Noun) -> Results[Noun]:
             yield replace(noun, traits=replace(noun.traits, rank=f"{rank} {_FROM[phrase]}"), span=p.span(i, end)), end
     if rank is not None and (rank in _TOLD_SIDES or rank.isdigit()) and (end := p.any_of(j, OF_LINE)):
         yield replace(noun, span=p.span(i, end)), end
+
+
+def _several(p: Parser, i: int, j: int, noun: Noun) -> Results[Noun]:
+    """ "The two on the left", "the three blocks at the top", "the two at the ends": as many from there on."""
+    plain = noun.det in ("the", "its") and noun.head != "patch" and noun.traits == Traits() and noun.part_of is None
+    for phrase, k in p.standing(j, _SEVERAL_THERE) if plain and not noun.conditions else ():
+        end = p.any_of(k, OF_LINE) or k
+        if end > k or not p.stands(k, _ENDS_THERE):
+            rank = Traits(rank=_SEVERAL_THERE[phrase])
+            yield replace(noun, head="block", traits=rank, span=p.span(i, end)), end
 
 
 _UPRIGHT = frozenset({"bottom", "top", "middle", "last"})

@@ -265,7 +265,9 @@ def _looked_at(chains: tuple[Chain, ...], n: int, text: str) -> bool:
 def _undoes(chain: Chain) -> bool:
     """Whether a sentence changes what is there: swaps it, takes it apart, turns it round, clears what it lies on."""
     undoing = ("swap", "unstack", "reverse", "replace", "clear", "empty")
-    return any(isinstance(c, Clause) and not {c.verb, c.lemma}.isdisjoint(undoing) for c in chain.clauses)
+    said = [c for c in chain.clauses if isinstance(c, Clause)]
+    over = any(c.verb == "turn" and isinstance(c.theme, Structure) for c in said)
+    return over or any(not {c.verb, c.lemma}.isdisjoint(undoing) for c in said)
 
 
 def _moved_next(before: Chain, after: Chain, text: str) -> bool:

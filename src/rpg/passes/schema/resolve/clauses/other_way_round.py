@@ -3,11 +3,25 @@ of the other one."""
 
 from __future__ import annotations
 
-from rpg.language.meaning import At, Chain, Clause, In, Loc, Manner, Meaning, Noun, Pronoun, replace
+from rpg.language.meaning import (
+    At,
+    Chain,
+    Clause,
+    In,
+    Loc,
+    Manner,
+    Meaning,
+    Noun,
+    Pronoun,
+    Structure,
+    parts_of,
+    replace,
+)
 
 
 def other_way_round(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
     """The sentences, with what is told of two things before such a clause told of each other at the end."""
+    chains = _of_relations(chains)
     said = [(n, k) for n, chain in enumerate(chains) for k in range(len(chain.clauses))]
     for at in range(2, len(said)):
         (n, k), facts = said[at], said[at - 2 : at]
@@ -27,6 +41,28 @@ def other_way_round(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
         )
         return _begun(chains, facts)
     return chains
+
+
+def _of_relations(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
+    """ "(Red is on blue.) Make it the other way round": so it should be, and not as it is, where no line was told that
+    is made anew."""
+    if any(isinstance(x, Structure) for chain in chains for x in parts_of(chain)):
+        return chains
+    found: list[Chain] = []
+    for chain in chains:
+        said = chain.clauses[0]
+        if isinstance(said, Clause) and len(chain.clauses) == 1 and (_turns(said) or _made_so(said)) and found:
+            chain = replace(chain, clauses=(replace(said, verb="be", lemma="", mode="goal"),))
+            facts = [(len(found) - 1, k) for k in range(len(found[-1].clauses))]
+            plain = [_placed(c, False) is not None for c in found[-1].clauses]
+            found = [*_begun(tuple(found), facts)] if all(plain) else found
+        found.append(chain)
+    return tuple(found)
+
+
+def _made_so(clause: Clause) -> bool:
+    asked = (clause.verb, clause.lemma, clause.mode) == ("build", "make", "command") and not clause.negated
+    return asked and _turns(clause)
 
 
 def _turns(clause: Clause) -> bool:

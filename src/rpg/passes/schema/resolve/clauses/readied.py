@@ -6,6 +6,7 @@ from rpg.language.meaning import Chain
 from rpg.passes.schema.resolve.clauses.at_the_end import there_before
 from rpg.passes.schema.resolve.clauses.borne_there import borne_there
 from rpg.passes.schema.resolve.clauses.faced_too import faced_too
+from rpg.passes.schema.resolve.clauses.moved_alone import named_for_it
 from rpg.passes.schema.resolve.clauses.none_told import none_told
 from rpg.passes.schema.resolve.clauses.one_tense import in_one_tense
 from rpg.passes.schema.resolve.clauses.rebuilt_of import rebuilt_of
@@ -41,7 +42,7 @@ def readied(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
     for together in (
         check_last, shared_between, rebuilt_of,
         members_later, tally_filled, sorted_as_told, middle_of_ring, no_gap, both_of_a_stack, left_of_two, none_told,
-        groups_listed,
+        groups_listed, named_for_it,
     ):  # fmt: skip
         chains = together(chains)
     chains = tuple(borne_there(faced_too(told_of_each(chain, text), text), text) for chain in chains)

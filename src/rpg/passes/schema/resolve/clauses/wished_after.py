@@ -16,7 +16,9 @@ from rpg.language.meaning import (
     Noun,
     Pronoun,
     Quality,
+    Structure,
     Traits,
+    parts_of,
     replace,
 )
 from rpg.passes.schema.resolve.clauses.begun_facts import indicative
@@ -53,12 +55,37 @@ def wished_after(chains: tuple[Chain, ...], text: str, final: Sequence[bool]) ->
             continue  # "three are green": so they look, at the start and at the end
         begun = tuple(replace(c, mode="start") for c in facts)
         besides = BESIDES.search(text[slice(*wish.span)].replace("both", "")) is not None
+        if _goes_off(wish, text):
+            found[n] = replace(chain, clauses=begun) if any(_of_this(wish, fact) for fact in facts) else chain
+            continue
         if (wish.mode == "command" and not besides) or any(of_these(wish, fact) for fact in facts):
             found[n] = replace(chain, clauses=begun)
             found = [_remaining(x, wish, facts[-1]) for x in found]
         elif all(map(definite, facts)) and not of_a_part(wish):
             found[n] = replace(chain, clauses=(*begun, *map(known_by_then, facts)), links=(*chain.links, *chain.links))
     return tuple(found)
+
+
+def _goes_off(wish: Clause, text: str) -> bool:
+    """ "(A, B and C stand in a row.) The middle one goes on the mat", "... moves away", "... must be taken off": out of
+    what was told; "A goes on the left" may tell more of it."""
+    away = [
+        isinstance(x, In)
+        or (isinstance(x, Loc) and (x.rel in ("on", "off") or getattr(x.landmark, "head", "") == "patch"))
+        for x in wish.adjuncts
+    ]
+    if wish.mode != "goal" or wish.theme is None or not away or not all(away):
+        return False
+    return wish.verb == "place" or _GOES.fullmatch(text[wish.theme.span[1] : wish.adjuncts[0].span[0]]) is not None
+
+
+_GOES = re.compile(r"\W*(?:all |both |each )?go(?:es)?(?: up| down| over)?\s*", re.IGNORECASE)
+
+
+def _of_this(wish: Clause, fact: Clause) -> bool:
+    """Whether a part of the line that the fact tells of, or one of the blocks in it, is meant."""
+    lined = any(isinstance(x, Structure) for x in parts_of(fact)) or fact.verb == "stack"
+    return lined and (of_these(wish, fact) or of_a_part(wish))
 
 
 def _so_many_left(chain: Chain) -> Chain:
@@ -123,4 +150,5 @@ def _wish(chains: tuple[Chain, ...], n: int, text: str) -> Clause | None:
     if m is None or not isinstance(asked, Clause) or asked.negated or asked.theme is None:
         return None
     wished = demanded(chains, m, text) or SHOULD.search(text[slice(*asked.span)]) is not None
+    wished = wished or _goes_off(asked, text)
     return asked if asked.mode == "command" or (asked.mode == "goal" and wished) else None

@@ -41,6 +41,8 @@ def ranked(noun: Noun, scene: Scene, scope: Scope) -> Ref:
         return _outer(noun, scene)
     if (left := _left_of_so_many(noun, rank, scene)) is not None:
         return left
+    if (several := _several_off_the_top(noun, scene)) is not None:
+        return several
     ends = several_at_an_end(noun, _wholes(scene), scene, lambda one: ranked(one, scene, scope))
     if ends is not None:
         return ends
@@ -106,6 +108,19 @@ def _several_at_an_end(noun: Noun, many: int, whole: Ref, scene: Scene) -> Ref:
     if not names:
         raise refuse("no-referent", "it is not clear which blocks of the tower these are", noun.span,
                      "name their colours or their labels")  # fmt: skip
+    return Ref(names=names, plural=True, det=noun.det, span=noun.span)
+
+
+def _several_off_the_top(noun: Noun, scene: Scene) -> Ref | None:
+    """ "(A tower of four red blocks.) The top two go on the mat": whichever are moved were on top."""
+    wholes, many = _wholes(scene), noun.amount
+    tower = wholes[0] if len(wholes) == 1 and wholes[0].kind == "stack" and not wholes[0].ordered else None
+    if tower is None or many is None or many.low != many.high or not 1 < many.low < len(tower.members):
+        return None
+    if noun.head == "patch" or not _is_taken(noun, tower, scene):
+        return None
+    names = tower.members[-many.low :]
+    scene.taken |= dict.fromkeys(names, tower.members[: -many.low])
     return Ref(names=names, plural=True, det=noun.det, span=noun.span)
 
 

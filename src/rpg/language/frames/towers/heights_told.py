@@ -17,6 +17,8 @@ from rpg.language.frames.towers.heights_words import PATTERNS
 __all__ = ["PATTERNS", "told"]
 
 _THERE = re.compile("^there (?:is|are)$")
+_TOGETHER = frozenset({"compared", "unequal", "bound", "side", "middle", "rel", "heights", "group"})
+"""What is told of towers by the others."""
 _DONE = re.compile(r"\b(?:put|place|set|make|build|arrange|turn|bring|stack|lay)\b")
 _LAST = {"left": "right", "front": "back"}
 _BEFORE = {"left": "to the left of", "front": "in front of"}
@@ -28,7 +30,7 @@ def told(pieces: Sequence[Piece]) -> str:
     Raises:
         Unclear: it does not follow how high each of them is, or where it stands.
     """
-    if _begun(pieces):
+    if _begun(pieces) or _TOGETHER.isdisjoint(piece.kind for piece in pieces):
         raise Unclear
     found, besides = gathered(pieces)
     possible = ways(found)
@@ -42,9 +44,9 @@ def told(pieces: Sequence[Piece]) -> str:
 
 
 def _begun(pieces: Sequence[Piece]) -> bool:
-    """ "There is a tower of two. Put ...": what there is is there at the start, where something is to be done."""
+    """ "There is a tower of two", "..., put it ...": what there is may be there at the start."""
     there = [n for n, (a, b) in enumerate(pairwise(pieces)) if _THERE.search(a.words) and b.kind in ("tower", "towers")]
-    return bool(there) and any(_DONE.search(piece.words) for piece in pieces[there[0] :])
+    return there[:1] == [0] or (bool(there) and any(_DONE.search(piece.words) for piece in pieces[there[0] :]))
 
 
 Item = tuple[str, int]

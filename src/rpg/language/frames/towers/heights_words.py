@@ -107,6 +107,7 @@ PATTERNS = [
         "(?:BE )?(?P<near>right |directly |immediately )?(?:next to|beside)(?! each| one another)"),
     *patterns("mutual", None, "(?:BE )?(?:next to|beside) (?:each other|one another)|side by side"),
     *patterns("line", None, "(?:BE )?(?:lined up |standing )?(?:in|into) (?:a|one) (?:straight |single )?(?:row|line)"),
+    *patterns("line", None, "line up|lined up"),
     *patterns("behind", None, "(?:BE )?one behind (?:the other|another)"),
     *patterns("way", lambda match: match["from"],
         "(?:(?:counted|counting|going|reading|read|seen) )?from (?:the )?(?P<from>left|right)(?: to (?:the )?(?:left|"

@@ -45,7 +45,8 @@ _BARE = re.compile(
 _PAIR = re.compile(f"(?:two|2|a pair of) (?:(?P<color>{_C}) )?(?P<kind>{_K})s(?: of (?:(?P<color2>{_C}) )?{_B})?")
 _TOTAL = re.compile(
     f"(?: ,)? ?(?:(?:of|from|out of|with|using|made of|made from|built from|use)(?: all)?(?: the)? )?(?P<total>{_N}) "
-    f"(?:(?P<color>{_C}) )?{_B}(?: (?:in all|altogether|in total|all in all))?(?: for both)?"
+    f"(?:(?P<color>{_C}) )?{_B}\\b(?! (?:high|tall|long)\\b)(?: (?:in all|altogether|in total|all in all))?"
+    "(?: for both)?"
 )
 _SIZED = re.compile(
     f"(?P<det>an?|the) (?:(?P<color>{_C}) )?(?P<kind>{_K})(?: (?P<plain>of {_B})\\b| "
@@ -63,6 +64,10 @@ _SIDE = re.compile(
     f"(?: one| {_K})?)?|(?P<color>{_C}))(?= [.,;]| and|$)"
 )
 _BY_HOW_MUCH = re.compile(f"(?:^| )(?P<one>{_ONE}) {_IS} {_THAN} than (?:{_ONE}|it)\\b(?! by)")
+_HAS_SO_MANY = re.compile(
+    f"\\bthe {_C} one (?:has|is|{_MUST} (?:have|be)) {_N}\\b(?! {_B} (?:{_THAN}|more|fewer|less))"
+)
+"""How many blocks one of them has, told in a clause of its own: the second reader knows that."""
 TELLING = frozenset({*_MORE, "tall", "high", "long", "many", "more", "fewer", "less", "height", "length"})
 """Words without which nothing of this is said."""
 
@@ -238,7 +243,7 @@ def _named(text: _Text) -> list[Token] | None:
     clause = _CLAUSE.search(text.line)
     bare = None if clause else _BARE.search(text.line)
     told = clause or bare
-    if told is None:
+    if told is None or _HAS_SO_MANY.search(text.line):
         return None
     inside = [(m, c) for m, c in found if told.start() <= m.start() < told.end()]
     outside = [(m, c) for m, c in found if not told.start() <= m.start() < told.end()]

@@ -154,10 +154,9 @@ class Pronoun(Meaning):
     word: str
 
 
-TOLD_HERE = "all told here"
-"""A pronoun for all blocks that the sentence brought up so far: "put red on blue, but do it in the left half"."""
-OWNER = "it that has"
-"""A pronoun for what the clause before spoke of: "it has a gray block on it"."""
+TOLD_HERE, OWNER = "all told here", "it that has"
+"""Pronouns for all blocks that the sentence brought up so far, "put red on blue, but do it in the left half", and for
+what the clause before spoke of, "it has a gray block on it"."""
 
 
 @record
@@ -169,10 +168,11 @@ class TableTop(Meaning):
 
 @record
 class PartOf(Meaning):
-    """The top, bottom, middle ... of a structure, or an end of it."""
+    """The top, bottom, middle ... of a structure, or an end of it; `part` "blocks": those at some of its `places`."""
 
     part: str
     whole: Meaning | None
+    places: Meaning | None = None
 
 
 @record

@@ -56,6 +56,7 @@ from rpg.passes.schema.resolve.orders.parts_behind import parts_behind
 from rpg.passes.schema.resolve.orders.then_longer import then_longer
 from rpg.passes.schema.resolve.orders.told_places import places_told
 from rpg.passes.schema.resolve.places.sided_patches import settle_sides
+from rpg.passes.schema.resolve.structures.built_for_a_part import built_for_a_part
 from rpg.passes.schema.resolve.structures.heaps import from_heaps, heaps_begun, heaps_last, placed, told_later
 from rpg.passes.schema.resolve.structures.lots_related import lots_related
 from rpg.passes.schema.resolve.structures.rows_told import words_in_rows
@@ -167,7 +168,7 @@ def resolve(
     check_tower_or_block(chains)
     check_lines_again(chains)
     check_set_below(chains)
-    check_it(chains := of_the_one(chains))
+    check_it(chains := built_for_a_part(of_the_one(chains)))
     chains = then_longer(from_heaps(readied(marks_joined(chains), text), text), text)
     links, chains = lots_related(*in_told_order(*left_out_behind(*parts_behind(links, chains, text)), text))
     links, chains = hoisted(*places_told(*words_in_rows(links, chains)))

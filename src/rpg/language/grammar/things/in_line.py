@@ -11,7 +11,9 @@ from rpg.language.meaning import Noun, Structure, Traits, replace
 
 if TYPE_CHECKING:
     from rpg.language.grammar.structures.structures import structure
+    from rpg.language.grammar.things.at_places import brought_up
 else:
+    (brought_up,) = later(__name__, "rpg.language.grammar.things.at_places", "brought_up")
     (structure,) = later(__name__, "rpg.language.grammar.structures.structures", "structure")
 
 _FROM = {f"from {the}{side}": way for way, sides in {
@@ -53,6 +55,9 @@ def in_line(p: Parser, i: int, j: int, noun: Noun) -> Results[Noun]:
         yield from _several(p, i, j, noun)
     if noun.plural or noun.head == "patch" or noun.det not in ("the", "its"):
         return
+    if rank is not None and noun.amount is None and (of := p.one(j, ("of", "in"))):
+        for whole, end in brought_up(p, of):
+            yield replace(noun, part_of=whole, span=p.span(i, end)), end
     if rank is None and noun.traits == Traits() and noun.amount is None and p.stands(j - 1, _ONE):
         for phrase, k in p.standing(j, _THERE):
             end = p.any_of(k, OF_LINE) or k
@@ -61,7 +66,10 @@ def in_line(p: Parser, i: int, j: int, noun: Noun) -> Results[Noun]:
     elif rank is not None and rank.isdigit():
         for phrase, k in p.standing(j, _FROM):
             end = p.any_of(k, OF_LINE) or k
-            yield replace(noun, traits=replace(noun.traits, rank=f"{rank} {_FROM[phrase]}"), span=p.span(i, end)), end
+            told = replace(noun, traits=replace(noun.traits, rank=f"{rank} {_FROM[phrase]}"), span=p.span(i, end))
+            yield told, end
+            for whole, last in brought_up(p, of) if (of := p.one(k, ("of", "in"))) else ():
+                yield replace(told, part_of=whole, span=p.span(i, last)), last
     if rank is not None and (rank in _TOLD_SIDES or rank.isdigit()) and (end := p.any_of(j, OF_LINE)):
         yield replace(noun, span=p.span(i, end)), end
 

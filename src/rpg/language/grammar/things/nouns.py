@@ -11,6 +11,7 @@ from rpg.language.grammar.things import amounts
 from rpg.language.grammar.things.adjectives import Marks, adjectives, clash, color, merge, of_quality
 from rpg.language.grammar.things.amounts import Quantity
 from rpg.language.grammar.things.at_an_end import at_an_end
+from rpg.language.grammar.things.at_places import at_places
 from rpg.language.grammar.things.brackets import bracketed
 from rpg.language.grammar.things.edges import of_edges, one_of_each_edge
 from rpg.language.grammar.things.excepted import alone_in_this
@@ -97,7 +98,7 @@ def simple(p: Parser, i: int) -> Results[Meaning]:
     if j := p.any_of(i, ("the letter on", "the letter of", "the symbol on", "the number on", "the digit on")):
         yield from ((found, k) for found, k in simple(p, j) if isinstance(found, Noun))
     yield from told_symbols(p, i)
-    yield from (*one_of_each_edge(p, i), *at_an_end(p, i))
+    yield from (*one_of_each_edge(p, i), *at_an_end(p, i), *at_places(p, i))
     for phrase, j in p.standing(i, _SIGNS):
         det = "the" if phrase.startswith("the") else "a"
         sign = Traits(labels=(_SIGNS[phrase],), kind="symbol")

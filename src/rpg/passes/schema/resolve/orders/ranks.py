@@ -6,7 +6,8 @@ from collections.abc import Iterable
 
 from rpg.core.diagnostics import Span
 from rpg.ir.walk import names as names_in
-from rpg.language.meaning import Amount, At, Noun, Traits, replace
+from rpg.language.meaning import Amount, At, Noun, Places, Traits, replace
+from rpg.passes.schema.resolve.orders.among_places import all_alike, pinned, standing_there, wholes
 from rpg.passes.schema.resolve.orders.at_an_end import several_at_an_end
 from rpg.passes.schema.resolve.orders.by_size import BY_SIZE, by_size
 from rpg.passes.schema.resolve.orders.by_value import HIGHEST, by_value, highest
@@ -43,7 +44,7 @@ def ranked(noun: Noun, scene: Scene, scope: Scope) -> Ref:
         return left
     if (several := _several_off_the_top(noun, scene)) is not None:
         return several
-    ends = several_at_an_end(noun, _wholes(scene), scene, lambda one: ranked(one, scene, scope))
+    ends = several_at_an_end(noun, wholes(scene), scene, lambda one: ranked(one, scene, scope))
     if ends is not None:
         return ends
     there = () if noun.head == "patch" else _candidates(noun, rank, scene)
@@ -127,7 +128,7 @@ def _several_off_the_top(noun: Noun, scene: Scene) -> Ref | None:
 def _is_taken(noun: Noun, tower: Built, scene: Scene) -> bool:
     """Whether these come off the top of a tower of look-alikes that is there at first."""
     begun = any({*tower.members} <= {*names_in(fact)} for fact in scene.start_goals)
-    return begun and noun.traits.rank == "top" and _all_alike(tower, scene)
+    return begun and noun.traits.rank == "top" and all_alike(tower, scene)
 
 
 def middle_of(whole: Ref, span: Span, scene: Scene, scope: Scope) -> Ref | None:
@@ -143,7 +144,7 @@ def _outer(noun: Noun, scene: Scene) -> Ref:
     line = scene.built[0] if len(scene.built) == 1 else None
     ends = (line.members[0], line.members[-1]) if line is not None and len(line.members) > 2 else ()
     plain = noun.traits == Traits(rank="outer") and noun.amount in (None, Amount(2, 2)) and noun.det != "no"
-    loose = line is not None and ends and not line.ordered and _all_alike(line, scene)
+    loose = line is not None and ends and not line.ordered and all_alike(line, scene)
     if line is None or not plain or line.kind not in _LINES or not (loose or line.ordered):
         raise refuse("no-referent", "it is not clear what the outer ones are", noun.span, "name them")
     for name, index in zip(ends, (1, -1), strict=True) if loose else ():
@@ -159,21 +160,10 @@ _WITH_MIDDLES = (*_BOARDS, *_CROSSES)
 _LINES = ("row", "line", "column", "word")
 
 
-def _all_alike(built: Built, scene: Scene, *told: str) -> bool:
-    """Whether the blocks of a structure are known to look alike, and nothing but on those `told` is on them yet."""
-    things = [scene.things[n] for n in built.members]
-    looks = {(t.color, t.label, t.kind, t.size) for t in things}
-    return (
-        len(looks) == 1
-        and bool(things[0].color or things[0].label)
-        and not any(n in scene.on_top for n in built.members if n not in told)
-    )
-
-
 def _of_the_line(noun: Noun, side: str, scene: Scene) -> Ref | None:
     """ "the left one": of the blocks of the one line that was built, where there are no patches."""
-    wholes = _wholes(scene)
-    line = wholes[0] if len(wholes) == 1 and wholes[0].kind in _LINES else None
+    found = wholes(scene)
+    line = found[0] if len(found) == 1 and found[0].kind in _LINES else None
     if line is None or noun.head != "any" or any(t.patch for t in scene.things.values()):
         return None
     name = _in(line, side) if line.ordered else None
@@ -262,32 +252,24 @@ def _numbered(noun: Noun, number: str, scene: Scene) -> Ref:
 
 def _among_alike(noun: Noun, rank: str, scene: Scene) -> Ref | None:
     """ "the middle one" of a row of blocks that look alike: any of them, which is then said to stand there."""
-    wholes = _wholes(scene)
-    built = wholes[-1] if wholes else None
-    there: dict[str, str] = {}
-    if len(wholes) > 1 and noun.head == "any" and rank.isdigit():
+    there_are = wholes(scene)
+    built = there_are[-1] if there_are else None
+    if len(there_are) > 1 and noun.head == "any" and rank.isdigit():
         return _of_structures(noun, int(rank), scene)
-    if (
-        built is None
-        or built.ordered
-        or len(wholes) > 1
-        or built.kind not in (*SIDES, *_WITH_MIDDLES)
-        or noun.head == "patch"
-        or (scene.loose and not (there := _ends_told(built, scene)))
-    ):
+    if built is None or built.ordered or len(there_are) > 1 or built.kind not in (*SIDES, *_WITH_MIDDLES):
+        return None
+    if noun.head == "patch" or (there := pinned(built, scene)) is None:
         return None
     colors = noun.traits.colors
-    if not _all_alike(built, scene, *there.values()) or (colors and scene.things[built.members[0]].color not in colors):
+    if not all_alike(built, scene, *there.values()) or (colors and scene.things[built.members[0]].color not in colors):
         return None
     over = [t for t in scene.blocks() if t.name not in built.members and alike([t, scene.things[built.members[0]]])]
     if rank == "last" and over:
         raise refuse("ambiguous", "the last one in it, or the one that is left over?", noun.span,
                      "say 'the remaining one', or at which end it is")  # fmt: skip
     count, _, told = rank.partition(" ")
-    if built.kind in _CROSSES:
-        return _in_the_grid(noun, rank, built, scene) if rank == "middle" and len(built.members) % 2 else None
-    if built.kind in _BOARDS:
-        return _in_the_grid(noun, rank, built, scene) if rank == "middle" or rank in CELLS else None
+    if built.kind in (*_CROSSES, *_BOARDS):
+        return _in_the_grid(noun, rank, built, scene)
     side = told or {"last": "first"}.get(rank, "first" if rank.isdigit() else rank)
     if side not in ("first", "middle", *SIDES[built.kind][:2]):
         return None
@@ -296,26 +278,27 @@ def _among_alike(noun: Noun, rank: str, scene: Scene) -> Ref | None:
     index = int(count) if count.isdigit() else -1 if rank == "last" else None
     if index is not None and not -1 <= index <= len(built.members):
         return None
-    if any(set(built.members) <= {*names_in(fact)} for fact in scene.start_goals):
-        if built.kind == "stack" and side == "top" and index is None:
-            return _taken_from_top(built, noun, scene)
-        raise refuse("ambiguous", "blocks that look alike are not told apart by where they are at the start",
-                     noun.span, "give them colours, or say what is where at the end")  # fmt: skip
-    if there and (index is not None or side not in _ENDS):
+    at_start = any(set(built.members) <= {*names_in(fact)} for fact in scene.start_goals)
+    if at_start and built.kind == "stack" and side == "top" and index is None:
+        return _taken_from_top(built, noun, scene)
+    return standing_there(At(side=side, index=index, span=noun.span), built, noun.span, scene)
+
+
+def _in_the_grid(noun: Noun, rank: str, built: Built, scene: Scene) -> Ref | None:
+    """ "the middle one", "the far left one" of a grid of blocks that look alike."""
+    place: At | Places = At(side=rank, own=True, span=noun.span)
+    if rank in CELLS and built.kind in _BOARDS:
+        place = Places(side=rank, unit="cell", span=noun.span)
+    elif rank != "middle":
         return None
-    if side in there:
-        return Ref(names=(there[side],))
-    name = next(name for name in built.members if name not in there.values())
-    place = At(side=side, index=index, span=noun.span)
-    scene.loose.append((Ref(names=(name,), span=noun.span), place, noun.span))
-    return Ref(names=(name,))
+    return standing_there(place, built, noun.span, scene)
 
 
 def _top_of_alike(noun: Noun, towers: Iterable[Built], scene: Scene) -> Ref | None:
     """ "The top red block" of the only tower of red ones at the start: whichever is moved, it was on top."""
     begun = [
         b for b in towers
-        if b.kind == "stack" and not b.ordered and _all_alike(b, scene)
+        if b.kind == "stack" and not b.ordered and all_alike(b, scene)
         and (not noun.traits.colors or scene.things[b.members[0]].color in noun.traits.colors)
         and any(set(b.members) <= {*names_in(fact)} for fact in scene.start_goals)
     ]  # fmt: skip
@@ -327,32 +310,6 @@ def _taken_from_top(tower: Built, noun: Noun, scene: Scene) -> Ref:
     *below, top = tower.members
     scene.taken[top] = tuple(below)
     return Ref(names=(top,), span=noun.span)
-
-
-def _wholes(scene: Scene) -> list[Built]:
-    """What is built, without the piles that arise where a block is put on one of a line."""
-    lines = [set(b.members) for b in scene.built if b.kind in _LINES]
-    return [b for b in scene.built if b.kind != "stack" or not any(line & set(b.members) for line in lines)]
-
-
-_ENDS = ("left", "right", "front", "back", "top", "bottom")
-
-
-def _ends_told(built: Built, scene: Scene) -> dict[str, str]:
-    """The blocks of a line that are said to be at its ends already, where nothing else is said of its blocks."""
-    ends = {at.side: ref.names[0] for ref, at, _ in scene.loose if isinstance(at, At) and at.side in _ENDS
-            and at.index is None and len(ref.names) == 1 and ref.names[0] in built.members}  # fmt: skip
-    return ends if len(ends) == len(scene.loose) < len(built.members) else {}
-
-
-def _in_the_grid(noun: Noun, rank: str, built: Built, scene: Scene) -> Ref:
-    """ "the middle one", "the far left one" of a grid of blocks that look alike."""
-    if any(set(built.members) <= {*names_in(fact)} for fact in scene.start_goals):
-        raise refuse("ambiguous", "blocks that look alike are not told apart by where they are at the start",
-                     noun.span, "give them colours, or say what is where at the end")  # fmt: skip
-    found = Ref(names=built.members[:1], span=noun.span)
-    scene.loose.append((found, At(side=rank, span=noun.span), noun.span))
-    return found
 
 
 def _of_structures(noun: Noun, index: int, scene: Scene) -> Ref:

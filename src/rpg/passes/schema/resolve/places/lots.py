@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rpg.language.meaning import replace
+from rpg.language.meaning import Loc, replace
 from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
 
 
@@ -39,3 +39,10 @@ def _next_declared(name: str, scene: Scene) -> str:
             scene.used.add(thing.name)
             return thing.name
     raise refuse("too-many-asked", "there are not so many of these blocks", None, "name more blocks, or fewer patches")
+
+
+def along_a_line(mark: Ref, loc: Loc, scene: Scene) -> Loc:
+    """ "A red block behind each of them", of blocks of one row: each is straight behind its own."""
+    across = {"row": ("front", "behind"), "line": ("front", "behind"), "column": ("left", "right")}
+    lined = any(loc.rel in across.get(b.kind, ()) and {*mark.names} <= {*b.members} for b in scene.built)
+    return replace(loc, mods=(*loc.mods, "directly")) if lined else loc

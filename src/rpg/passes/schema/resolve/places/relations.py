@@ -21,7 +21,7 @@ from rpg.passes.schema.resolve.places.centred import centred_on
 from rpg.passes.schema.resolve.places.compared import compared as compared_far
 from rpg.passes.schema.resolve.places.corners import corners, from_their_halves, in_region, of_something_else
 from rpg.passes.schema.resolve.places.flanks import flanked
-from rpg.passes.schema.resolve.places.lots import one_lot_each
+from rpg.passes.schema.resolve.places.lots import along_a_line, one_lot_each
 from rpg.passes.schema.resolve.places.moved import begins_on, note_taken, off_patches, off_what, taken_off
 from rpg.passes.schema.resolve.places.mutual import (
     COMPARED,
@@ -320,6 +320,7 @@ def _landmarks(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.G
 def _relate(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
     single = not mark.built or (len(mark.built) == 1 and mark.built[0].kind in ("row", "line", "column", "word"))
     if mark.each and len(mark.names) > 1 and single and indefinite(theme) and not theme.built:
+        loc = along_a_line(mark, loc, scene)
         if loc.rel in DIRECTIONS and not {"directly", "immediate"} & set(loc.mods):
             raise refuse("ambiguous", "one for all of them, or one for each?", loc.span, "name the one of each")
         lots = one_lot_each(theme, len(mark.names), scene)

@@ -15,7 +15,7 @@ from rpg.language.meaning import At, Meaning, replace
 from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.orders.agreeing import OPPOSITE
 from rpg.passes.schema.resolve.orders.between_ends import by_symbols, of_a_range
-from rpg.passes.schema.resolve.orders.in_grids import has_centre, in_grid
+from rpg.passes.schema.resolve.orders.in_grids import in_figure
 from rpg.passes.schema.resolve.orders.loose import once_of_each_look
 from rpg.passes.schema.resolve.orders.positions import SIDES, SYMMETRIC, alternatives, looks, places_of, ranks_from
 from rpg.passes.schema.resolve.places.across_the_table import REGION, across_the_table
@@ -76,9 +76,8 @@ def _stated(goal: g.Goal, scene: Scene) -> g.Goal:
     whole = max(len(ref.names) for ref, _, _ in loose) if told else 0
     for node in (n for n in _lines(goal) if set(names) <= set(n.blocks) and whole < len(n.blocks)):
         return _refine(goal, node, loose, scene)
-    whole_grids = (a for a in atoms(goal) if isinstance(a, s.Grid) or (isinstance(a, s.Figure) and has_centre(a)))
-    for grid in (a for a in whole_grids if len(loose) == 1 and set(names) < set(a.blocks)):
-        return in_grid(goal, grid, loose[0], scene)
+    for figure in (a for a in atoms(goal) if isinstance(a, s.Grid | s.Figure) and set(names) < set(a.blocks)):
+        return in_figure(goal, figure, loose, scene)
     for word in (a for a in atoms(goal) if isinstance(a, s.Spells) and set(names) < set(a.blocks)):
         check_word(word, loose, scene)
         return goal
@@ -305,6 +304,8 @@ def _refine(goal: g.Goal, node: s.Stack | s.Row, loose: list[Loose], scene: Scen
         of_no_side = all(at_.side in ("middle", "first") for _, at_, _ in ats)
         seen = {index: looks(scene.things[name]) for index, name in places.items()}
         either_way = turned or (of_no_side and all(seen.get(total - 1 - index) == look for index, look in seen.items()))
+        if len({looks(scene.things[name]) for name in node.blocks}) == 1 and len({span for _, _, span in ats}) > 1:
+            either_way = False  # blocks that look alike are told apart by what else is said of them
         if node.axis == "x" or either_way:
             order = order.model_copy(update={"first": None if either_way else "front"})
         update = {"axis": node.axis if either_way else node.axis or "y"}

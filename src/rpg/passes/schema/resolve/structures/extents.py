@@ -41,7 +41,7 @@ def plain(shape: Structure) -> None:
 
 
 def made(kind: str, node: g.Goal, names: tuple[str, ...], span: Span, scene: Scene) -> Made:
-    return [scene.add_built(kind, names, False, span)], [node]
+    return [scene.add_built(kind, names, False, span, form=node)], [node]
 
 
 def dims_told(shape: Structure, further: Sequence[Size]) -> tuple[int, ...]:

@@ -35,9 +35,13 @@ from rpg.passes.schema.resolve.things.things import (
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
 
 if TYPE_CHECKING:
+    from rpg.passes.schema.resolve.orders.among_places import blocks_at, named_part, one_on_each
     from rpg.passes.schema.resolve.orders.ranks import middle_of, of_the_whole, ranked, top_block
     from rpg.passes.schema.resolve.structures.structures import refer_structure
 else:
+    blocks_at, named_part, one_on_each = later(
+        __name__, "rpg.passes.schema.resolve.orders.among_places", "blocks_at", "named_part", "one_on_each"
+    )
     middle_of, of_the_whole, ranked, top_block = later(
         __name__, "rpg.passes.schema.resolve.orders.ranks", "middle_of", "of_the_whole", "ranked", "top_block"
     )
@@ -161,6 +165,8 @@ _BOTH_WAYS = ("and", "or")
 
 def _part(meaning: PartOf, scene: Scene, scope: Scope) -> Ref:
     whole = refer(meaning.whole, scene, scope) if meaning.whole else None
+    if meaning.part == "blocks":
+        return blocks_at(meaning, whole, scene)
     if whole is None:
         raise refuse("no-referent", "it is not clear of what this is a part", meaning.span)
     built = whole.built[0] if len(whole.built) == 1 and whole.built[0].ordered else None
@@ -175,14 +181,8 @@ def _part(meaning: PartOf, scene: Scene, scope: Scope) -> Ref:
         and not (whole.built or whole.patch)
     ):
         return whole  # "its centre lies on the mat": a block is where its middle is
-    if built is not None and meaning.part == "middle" and len(built.members) % 2:
-        return Ref(names=(built.members[len(built.members) // 2],))
-    if built is not None and built.kind == "stack" and meaning.part == "bottom":
-        return Ref(names=(built.members[0],))
-    if built is not None and built.side is not None and meaning.part == built.side:
-        return Ref(names=(built.members[0],))
-    if built is not None and (built.side, meaning.part) in (("left", "right"), ("front", "back")):
-        return Ref(names=(built.members[-1],))
+    if built is not None and (named := named_part(meaning.part, built)) is not None:
+        return named
     if meaning.part == "middle" and (middle := middle_of(whole, meaning.span, scene, scope)) is not None:
         return middle
     raise refuse(
@@ -327,7 +327,8 @@ def _partitive(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     amount = noun.amount
     if noun.det in ("all", "each", "both"):
         whole = all_of_it(whole) if noun.det == "both" else whole
-        return replace(whole, each=noun.det == "each", quant=None, det=noun.det)
+        one_each = isinstance(noun.part_of, PartOf) and one_on_each(noun.part_of, scene, scope)
+        return replace(whole, each=noun.det == "each" or one_each, quant=None, det=noun.det)
     if noun.det == "no":
         return replace(whole, quant=fewer_than(noun.amount))
     if noun.det in SHARES:

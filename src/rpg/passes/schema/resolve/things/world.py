@@ -50,7 +50,8 @@ class Thing:
 
 @dataclass(frozen=True)
 class Built:
-    """A structure with its members; for ordered stacks from the bottom up, for rows from their first side."""
+    """A structure with its members; for ordered stacks from the bottom up, for rows from their first side. `form`: what
+    is asked of a figure."""
 
     kind: str
     members: tuple[str, ...]
@@ -58,6 +59,7 @@ class Built:
     span: Span
     key: int
     side: str | None = None
+    form: Goal | None = None
 
 
 @dataclass(frozen=True)
@@ -331,9 +333,12 @@ class Scene:
         for name in ref.names if isinstance(said, Noun) and not ref.built else ():
             self.on_clause.pop(name, None)
 
-    def add_built(self, kind: str, members: Iterable[str], ordered: bool, span: Span, side: str | None = None) -> Built:
+    def add_built(
+        self, kind: str, members: Iterable[str], ordered: bool, span: Span, side: str | None = None,
+        form: Goal | None = None,
+    ) -> Built:  # fmt: skip
         """Remember a structure."""
-        built = Built(kind, tuple(members), ordered, span, len(self.built), side)
+        built = Built(kind, tuple(members), ordered, span, len(self.built), side, form)
         self.built.append(built)
         return built
 

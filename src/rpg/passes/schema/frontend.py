@@ -36,6 +36,7 @@ from rpg.language.introduced import with_names
 from rpg.language.inventories import stocks_ahead, told_behind, told_plainly
 from rpg.language.kinds_counted import with_kinds
 from rpg.language.materials import without_materials
+from rpg.language.mats_chosen import mats_chosen
 from rpg.language.open_colors import with_colors
 from rpg.language.praise import without_praise
 from rpg.language.remarks import without_remarks
@@ -47,6 +48,7 @@ from rpg.language.titles import title, untitled
 from rpg.language.tokens import Stray, Token, tokenize
 from rpg.passes.schema.ambiguity import TwoReadings, same
 from rpg.passes.schema.build import build
+from rpg.passes.schema.either_task import either_task
 from rpg.passes.schema.feasibility import Repairable, suggestions
 from rpg.passes.schema.guard import guard
 from rpg.passes.schema.hints import explained
@@ -121,6 +123,8 @@ class BuiltinFrontEnd:
                 task, notes = self._read_tokens(kept, text, name, seed, author, mended, remarks)
                 if task is not None:
                     return task, notes
+        if found[0] is None:
+            found = self._either_way(told, text, name, seed, author, mended) or found
         chosen = isinstance(refusal, Repairable | TwoReadings)
         code = refusal.diagnostics[0].code if refusal is not None else found[1][0].code if found[1] else ""
         ways = [*(() if chosen else _SPLICED), *((begun_ahead,) if code in _CANNOT_BOTH_BE else ())]
@@ -140,6 +144,20 @@ class BuiltinFrontEnd:
         if found[0] is None and refusal is not None:
             raise refusal
         return found
+
+    def _either_way(
+        self, told: tuple[list[Token], list[Stray]], text: str, name: str | None, seed: int, author: str | None,
+        mended: list[str] | None,
+    ) -> Reading | None:  # fmt: skip
+        """The reading of a text in which one of two patches is chosen: what is told of the one, or of the other."""
+        ways = []
+        for way in mats_chosen(told[0]):
+            try:
+                ways.append(self._read_tokens((way, told[1]), text, name, seed, author, mended))
+            except Refusal:
+                return None
+        task = either_task([task for task, _ in ways]) if ways else None
+        return (task, ways[0][1]) if task is not None else None
 
     def _apart(
         self, told: tuple[list[Token], list[Stray]], text: str, name: str | None, seed: int, author: str | None,

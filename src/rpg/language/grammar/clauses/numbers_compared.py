@@ -14,6 +14,8 @@ from rpg.language.meaning import Clause, Coord, In, Loc, Manner, Meaning, Noun, 
 
 COMPARED = "compare numbers"
 """The verb of such a clause."""
+SOME_OF_THEM = "some of them"
+"""Its lemma where it may be said of a part of the blocks that there are."""
 _TELLING = frozenset({"more", "fewer", "less", "many", "number", "amount", "numbers"})
 _LEADS = Patterns(
     "put|place|set|lay|bring|get|have|leave|move|use|let",
@@ -157,7 +159,8 @@ def _clause(
     span = p.span(i, end)
     theme: Meaning = Coord(op="and", items=lots, span=span) if len(lots) > 1 else lots[0] if lots else _them(span)
     how = Manner(kind=rel, value=float(by), span=span)
-    return Clause(verb=COMPARED, theme=theme, adjuncts=(*spots, how), mode="goal", span=span)
+    some = SOME_OF_THEM if not lots and "of" in p.words[:end] else ""
+    return Clause(verb=COMPARED, lemma=some, theme=theme, adjuncts=(*spots, how), mode="goal", span=span)
 
 
 def _them(span: tuple[int, int]) -> Pronoun:

@@ -34,8 +34,8 @@ _SYMBOLS = f"(?:letters|digits|numbers|{CUBE}s|(?:letter|digit|number) {CUBE}s)(
 def _of_two(one: str, both: str) -> str:
     """ "One mat is blue and the other white"."""
     return (
-        f"one (?:of the (?:two )?{both}|{one}) is ({COLOR})(?: ,| and| , and)+ the other(?: one| {one})?(?: is)? "
-        f"({COLOR})(?= \\.|$)"
+        f"one (?:of the (?:two )?{both}|{one}) is ({COLOR})(?: ,| and| , and)+ (?:the other|one)(?: one| {one})?"
+        f"(?: is)? ({COLOR})(?= \\.|$)"
     )
 
 
@@ -80,6 +80,7 @@ ACROSS: tuple[Turn, ...] = (
     # "one mat is blue, the other is white"
     (f"^(.*\\btwo {PATCHES}) \\. {_of_two(PATCH, PATCHES)}", "{1} , one is {2} , the other is {3}"),
     (f"^(.*\\. )?{_of_two(PATCH, PATCHES)}", "{1} there are a {2} patch and a {3} patch"),
+    (f" , {_of_two(PATCH, PATCHES)}", " . there are a {1} patch and a {2} patch"),
     (f"^(.*\\. )?{_of_two(CUBE, f'{CUBE}s')}", "{1} one is {2} , the other is {3}"),
     (f"^((?:(?!\\b(?:{HEAP}|{_TAKE})\\b).)*?(?:from|out of) )the ({HEAP}) of (?={MANY} )", "{1} a {2} of "),
     (f"^(.+?) \\. but (?=(?:{THING}|none|no|nothing|not|the) .*(?:{MUST}|may|can|is|are)\\b)", "{1} . "),

@@ -104,23 +104,13 @@ PATCHES_AT_ONCE: tuple[Turn, ...] = (
       for marks, each, last in ((f"((?:(?:the|both|all)(?: of)?(?: the)? )?((?:{MANY} )?{PATCHES}))", "the {4}", "{5}"),
                                 (f"(the .+ and .+?(?: {PATCH}| {PATCHES})?)", "{3}", "{4}"))),
     (f"^({MANY} (?:{COLOR} )?{BLOCK}s) , ({_SO}{MANY} {_ON_EACH})$", "there are {1} . put {2}"),
-    # the same patch, and the one and the other
-    (f"^(?:put |place |set |bring )?(.+?)(?: go| goes| lie| are|(?: {MUST} (?:be|go|lie)))? on the same {PATCH}(?: "
-     f",)? (?:(?:either|be it|whether|namely either) )?(?:on )?the ({COLOR})(?: {PATCH}| one)? or (?:on )?the "
-     f"({COLOR})(?: {PATCH}| one)?$", "{1} must be on the {2} patch or {1} must be on the {3} patch"),
-    (f"^(?:put |place |set )?({THING}) (?:{IS} )?on (?:either )?the ({COLOR})(?: {PATCH})? or the ({COLOR}) {PATCH} "
-     f"and ({THING}) on the same(?: one| {PATCH})?$",
-     "{1} and {4} must be on the {2} patch or {1} and {4} must be on the {3} patch"),
-    *((f"^{begun}(?:put |place |set )?({THING}) (?:{IS} )?on one(?: of {them})?{listed} and ({THING})(?: {IS})? on the "
-       f"other(?: one| {PATCH})?$",
-       f"exactly one of {{{one}}} and {{{two}}} must be on the {{{a}}} patch . exactly one of {{{one}}} and "
-       f"{{{two}}} must be on "
-       f"the {{{b}}} patch")
-      for begun, them, listed, one, two, a, b in (
-        ("", f"the (?:two )?{PATCHES}", f"(?: ,| :) (?:either )?the ({COLOR}) (?:or|and) the ({COLOR})(?: one| "
-         f"{PATCH})? ?,?",
-         1, 4, 2, 3),
-        (f"two {PATCHES} (?:,|:) {_THE} and {_THE} : ", f"(?:them|these|the {PATCHES})", "", 3, 4, 1, 2))),
+    # different ones
+    *((f"^({lead}(?:[^.,]|, (?:and )?(?:an?|the) )+?){verb}(?: each)? (?:on|onto) (?:an?|one|some) {PATCH}(?: each)?"
+       f"(?: ,)? but (?:not|never)(?: both)? (?:on|onto) the same(?: one| {PATCH})?$", said)
+      for lead, verb, said in (
+        ("(?:put|place|set|move|bring) ", "", "{1} on different patches"),
+        ("(?!put |place |set |move |bring )", f"(?: each)? (?:go|lie|are|{MUST} (?:each )?(?:be|go|lie))",
+         "{1} must be on different patches"))),
     # what is cleared
     (f"^{_EVERYTHING_OFF} ({_HERE})$", "clear {1}"),
     (f"^(?:{_CLEAR}|{_EVERYTHING_OFF}) ({_HERE}) [,:] there (?:is|are) ([^,]+?) (?:on (?:it|there)|there){_NOW}$",

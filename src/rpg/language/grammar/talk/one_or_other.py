@@ -41,6 +41,8 @@ def one_or_the_other(tokens: list[Token]) -> list[Token] | None:
     for at, word in enumerate(words[:last]):
         found = _one_of(tokens, at) if word in _BEGINS or words[at + 1] == "or" else None
         if found is not None:
+            if _patch(found[1][0][-1]):
+                return None  # told of the whole text once for each of them
             meant = _related(words[found[0] : last]) or all(
                 _meant(words, n, found[1]) for n in range(found[0], last + 1) if words[n] == "other"
             )

@@ -5,6 +5,8 @@ from __future__ import annotations
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.node import EACH
+from rpg.ir.walk import names as names_in
+from rpg.language.grammar.clauses.numbers_compared import SOME_OF_THEM
 from rpg.language.meaning import Clause, Coord, In, Loc, Manner, Meaning, Noun, Traits
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.goals.logic import conj, disj
@@ -29,10 +31,46 @@ def compared_numbers(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> 
     if clause.negated or scope.start or one == other or (len(names) > 1 and not {*names[0]}.isdisjoint(names[1])):
         raise refuse("ambiguous", "it is not clear which two numbers are compared", clause.span,
                      "say for example 'exactly two of the three red blocks'")  # fmt: skip
-    pairs = [conj(goals, clause.span) for goals in _ways(how, one, other)]
+    exact = bool(how.value) or how.kind == "twice"
+    whole = names[0] == names[-1] and (exact or _all_placed(names[0], scene))
+    parted = _parted(how, one, other) if whole else []
+    if parted and exact and clause.lemma == SOME_OF_THEM and not _all_placed(names[0], scene):
+        raise refuse("ambiguous", "is each of them to be in one place or the other, or only some of them?", clause.span,
+                     f"say 'all {len(names[0])} of them', or how many are where")  # fmt: skip
+    if parted and exact:
+        scene.assume("all blocks that are there are in one of the two places")
+    ways = parted or _ways(how, one, other)
+    pairs = [conj(goals, clause.span) for goals in ways]
     if not pairs:
         raise refuse("count-mismatch", "there are not enough blocks for that", clause.span, "say how many there are")
     return [disj(pairs, clause.span)]
+
+
+def _all_placed(names: tuple[str, ...], scene: Scene) -> bool:
+    """Whether it was said where each of them is to be: "spread the seven blocks over the two mats"."""
+    placed = {name for goals in scene.goals.values() for goal in goals for name in names_in(goal)}
+    return placed.issuperset(names)
+
+
+def _parted(how: Manner, one: Side, other: Side) -> list[list[g.Goal]]:
+    """Pairs of numbers that make up all of the blocks, each of which would do."""
+    many, by = len(one[0]), int(how.value) if isinstance(how.value, float) else 0
+    return [
+        [_so_many(one, n, n), _so_many(other, many - n, many - n)]
+        for n in range(many + 1)
+        if _compares(how.kind, by, n, many - n)
+    ]
+
+
+def _compares(kind: str, by: int, many: int, others: int) -> bool:
+    """Whether two numbers compare as it is said."""
+    if kind == "fewer":
+        many, others = others, many
+    if kind in ("more", "fewer"):
+        return many - others == by if by else many > others
+    if kind == "at least":
+        return many >= others > 0
+    return many == others * (2 if kind == "twice" else 1) > 0
 
 
 def _ways(how: Manner, one: Side, other: Side) -> list[list[g.Goal]]:

@@ -35,6 +35,7 @@ def note_verb(clause: Clause, scene: Scene) -> None:
     """Remember the verb of a clause, and whether it tells what a block has on it or beside it."""
     scene.verbs[scene.clause] = (clause.word, clause.negated, clause.verb)
     places = [x for x in clause.adjuncts if isinstance(x, Loc)]
+    scene.resting = any(x.rel in ("on", "in", "off") for x in places)
     if clause.verb in ("remove", "pick") or any(x.rel == "off" for x in places):
         scene.owners.discard(scene.clause - 1)  # "take it off": what lies there
     owner = places[0].landmark if len(clause.adjuncts) == len(places) == 1 else None

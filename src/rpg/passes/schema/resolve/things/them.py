@@ -142,6 +142,8 @@ def _beside_blocks(word: Pronoun, patches: Mention, scene: Scene) -> bool:
     """ "There are three green blocks and two mats. Two of them should be on the red mat": those that can be moved."""
     verb = scene.verbs.get(scene.clause, (None, False, ""))[2]
     told = [m for m in scene.mentions if m.clause == patches.clause and m.role == "given" and not m.ref.patch]
+    if patches.ref.patch and scene.resting:
+        return True
     given = patches.ref.patch and patches.role == "given" and word.word in (*_THEY, *_EACH)
     return given and bool(told) and verb in ("be", "place", "stack")
 

@@ -149,6 +149,7 @@ class Scene:
     `besides`: what "another" and "the other" stand for, each with its words.
     `surveyed`: all blocks of some look that there were when something was said of whichever there are.
     `later`: whether the sentence or clause is told of a later time than what stands ahead of it.
+    `resting`: whether the clause tells of what lies on something, which no patch does.
     `describing`: whether the clause says how something is to be, and nothing of how it comes to be so.
     `excepted`: blocks that are left out of what all others form.
     `left_out`: blocks that are not to be used at all. `dealt`: blocks of which structures take a share each, and what
@@ -204,6 +205,7 @@ class Scene:
     later: bool = False
     denying: bool = False
     describing: bool = False
+    resting: bool = False
     premises: list[Meaning] = field(default_factory=list)
     picked: Span | None = None
     speaks_of_rest: bool = False

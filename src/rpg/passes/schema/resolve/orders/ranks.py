@@ -11,6 +11,7 @@ from rpg.passes.schema.resolve.orders.at_an_end import several_at_an_end
 from rpg.passes.schema.resolve.orders.by_size import BY_SIZE, by_size
 from rpg.passes.schema.resolve.orders.by_value import HIGHEST, by_value, highest
 from rpg.passes.schema.resolve.orders.in_grids import CELLS
+from rpg.passes.schema.resolve.orders.one_of_two import one_of_two
 from rpg.passes.schema.resolve.orders.positions import SIDES
 from rpg.passes.schema.resolve.orders.reordered import begun_in_order
 from rpg.passes.schema.resolve.places.sided_patches import sided_patch
@@ -28,6 +29,8 @@ def ranked(noun: Noun, scene: Scene, scope: Scope) -> Ref:
                      "name each of their places")  # fmt: skip
     if rank.startswith("@") and (own := _of_the_line(noun, rank[1:], scene)) is not None:
         return own
+    if rank.startswith("@") and (told := one_of_two(noun, rank[1:], scene)) is not None:
+        return told
     if rank.startswith("@"):
         return sided_patch(noun, rank[1:], scene, scope)
     if rank.startswith("#"):

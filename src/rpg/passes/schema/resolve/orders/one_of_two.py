@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from rpg.ir import goal as g
 from rpg.ir import relations as r
+from rpg.ir.node import members
 from rpg.language.meaning import Noun, Traits
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Thing
 
@@ -56,6 +57,6 @@ def _placed(scene: Scene) -> Iterator[tuple[str, str]]:
         for part in fact.goals if isinstance(fact, g.All) else (fact,):
             if type(part) in _SIDES:
                 for side, names in zip(_SIDES[type(part)], (part.a, part.b), strict=True):  # type: ignore[union-attr]
-                    yield from ((side, name) for name in names)
+                    yield from ((side, name) for name in members(names))
             elif isinstance(part, r.InRegion) and part.region in _HALVES:
-                yield from ((_HALVES[part.region], name) for name in part.a)
+                yield from ((_HALVES[part.region], name) for name in members(part.a))

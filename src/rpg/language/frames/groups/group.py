@@ -7,12 +7,12 @@ from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
 
+from rpg.language.frames.groups.mixed import among_others, each_alike, excepted, groups_of
 from rpg.language.frames.groups.shared import (
     Gathered,
     belongs,
     check_clauses,
     gathered,
-    listed,
     said_of,
     settled,
 )
@@ -41,13 +41,15 @@ def told(pieces: Sequence[Piece]) -> str:
         Unclear: it is not told what belongs together, or how many blocks there are.
     """
     check_clauses(pieces)
-    pieces = _one_each(_parted(_put_together(_with_colors(pieces))))
+    pieces = _one_each(_parted(_put_together(_with_colors(excepted(pieces)))))
     named = {piece.kind for piece in pieces if piece.kind in ("figure", "parted")}
     kinds = [piece.kind for piece in pieces]
     sorts = "basis" in kinds and ("sorted" in kinds or any(_INTO.match(p.words) for p in pieces if p.kind == "basis"))
     sorts = sorts or ("sorted" in kinds and {"here", "there"} <= {piece.value for piece in pieces})
     if not (named or sorts or any(_NAMED.search(piece.words) for piece in pieces if piece.kind in ("slot", "basis"))):
         raise Unclear
+    if (alike := each_alike(pieces)) is not None:
+        return alike
     found = gathered(pieces)
     figures = {piece.value for piece in pieces if piece.kind == "figure" and piece.value is not None}
     bases = {piece.value for piece in pieces if piece.kind == "basis"}
@@ -188,13 +190,9 @@ def _strangers(pieces: Sequence[Piece]) -> str:
     Raises:
         Unclear: it is not said of each group, or not one number.
     """
-    strange, mixed = one(pieces, "strange"), [piece.value for piece in pieces if piece.kind == "mixed"]
+    strange = one(pieces, "strange")
     every = any(piece.kind == "every" for piece in pieces)
-    if mixed:
-        if strange or every or len(mixed) != 2 or mixed[0] != (mixed[1][2], mixed[1][1], mixed[1][0]):
-            raise Unclear
-        number_each = mixed[0][1]
-    elif strange:
+    if strange:
         if not every:
             raise Unclear
         number_each = strange.value
@@ -223,6 +221,10 @@ def _by_basis(pieces: Sequence[Piece], found: Gathered, basis: str, count: int |
     sorts = {_of_basis(lot.look, basis) for lot in lots}
     if len(sorts) != (count or len(sorts)) or len(sorts) < 2 or None in sorts:
         raise Unclear
+    if any(piece.kind == "mixed" for piece in pieces):
+        if basis != "color":
+            raise Unclear
+        return groups_of(among_others(pieces, lots))
     return f"Group {said_of(lots)} by {basis}{_strangers(pieces)}."
 
 
@@ -246,7 +248,10 @@ def _by_lots(pieces: Sequence[Piece], found: Gathered, basis: str | None, count:
     Raises:
         Unclear: there are not so many groups, or they are not those of the property.
     """
-    places, size, total = settled(found, belongs), one(pieces, "size"), one(pieces, "total")
+    size, total = one(pieces, "size"), one(pieces, "total")
+    if size:
+        found.places = [(slot, _filled(here, size.value)) for slot, here in found.places]
+    places = settled(found, belongs)
     if len(places) == 1 and total and not found.lots:
         places = [(places[0][0], counted(places[0][1], total.value))]
     if total and total.value != sum(lot.count or 0 for _, lots in places for lot in lots) and not size:
@@ -256,9 +261,7 @@ def _by_lots(pieces: Sequence[Piece], found: Gathered, basis: str | None, count:
     if len(places) != (count or len(places)) or told_twice or "other" in slots[:-1] or slots == ["other"]:
         raise Unclear
     if size:
-        places = [(slot, [Lot(lot.look, lot.count or size.value) for lot in lots]) for slot, lots in places]
-        if any(sum(lot.count or 0 for lot in lots) != size.value for _, lots in places):
-            raise Unclear
+        places = [(slot, counted(lots, size.value)) for slot, lots in places]
     if any(lot.count is None for _, lots in places for lot in lots):
         raise Unclear
     if (each := one(pieces, "each")) and any(lot.count != each.value for _, lots in places for lot in lots):
@@ -287,8 +290,15 @@ def _by_lots(pieces: Sequence[Piece], found: Gathered, basis: str | None, count:
         and len({lots[0].look.split()[-1] for _, lots in places}) == 1
     ):
         return f"Group {said_of(lots[0] for _, lots in places)} by size."
-    groups = listed([f"one of {said_of(lots)}" for _, lots in places])
-    return f"Make {len(places)} groups, {groups}.{_sides(places)}"
+    return groups_of([lots for _, lots in places]) + _sides(places)
+
+
+def _filled(here: dict[str, Lot], size: int) -> dict[str, Lot]:
+    """The blocks of a group of so many of which one colour is left open: "four in each, one all red but for a blue"."""
+    open_ = [look for look, lot in here.items() if lot.count is None]
+    if len(open_) != 1 or len(open_[0]) == 1 or open_[0][:1] == "<":
+        return here
+    return {lot.look: lot for lot in counted(list(here.values()), size)}
 
 
 def _related(relation: Piece, found: Gathered, basis: str | None) -> str:
@@ -370,5 +380,4 @@ def _without_basis(pieces: Sequence[Piece], found: Gathered, count: int | None) 
     behind = [piece.words for piece in pieces[kinds.index("figure") + 1 :]][:1]
     if count != len(lots) or "lot" in ahead or "glyphs" in kinds or behind not in (["of"], [":"], [","]) or size:
         raise Unclear
-    groups = listed([f"one of {lot.blocks}" for lot in lots])
-    return f"Make {count} groups, {groups}."
+    return groups_of([[lot] for lot in lots])

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from rpg.language import lexicon
+from rpg.language.frames.groups.mixed import EACH_HAS, EXCEPT, MIXED, SNEAKED
 from rpg.language.frames.groups.shared_words import ALSO, LOTS, OF, STARTS, STOPS
 from rpg.language.frames.pieces import Pattern, number, patterns
 from rpg.language.frames.shared import GLUE, WHERE
@@ -149,11 +150,12 @@ PATTERNS = [
     *patterns(
         "size", lambda match: number(match["size"]),
         f"(?:with |exactly )*(?P<size>NUM) (?:BLOCK )?(?:in|to|per|for|inside) (?:each|every|both)(?: one| {G}| of "
-        "them)?", r"of (?:exactly )?(?P<size>NUM)(?: BLOCK)?(?: each)?(?! (?:COLOR|SIZE|each)\b)",
+        "them)?", f"(?:with |exactly )*(?P<size>NUM) (?:BLOCK )?per {G}",
+        r"of (?:exactly )?(?P<size>NUM)(?: BLOCK)?(?: each)?(?! (?:COLOR|SIZE|each)\b)",
         f"(?:in |of |for |with )?{_EACH} (?:(?:of|with|has|have|contains?|consists? of|comprises?|holds?|includes?|"
         f"gets?|there are|there must be|:) )?(?:exactly "
         f")?(?P<size>NUM)(?: BLOCK)?(?! (?:COLOR|"
-        r"SIZE)\b)",
+        r"SIZE|(?:BLOCK )?(?:is|are|must be|should be) COLOR|of (?:either|each|every|both))\b)",
     ),
     *patterns(
         "even", None,
@@ -291,12 +293,10 @@ PATTERNS = [
         "every", None, f"(?:(?:in|per|for|to|of|within|inside|among) )?{_EACH}(?: (?:BE|has|have|contains|gets))?",
         f"per {G}",
     ),
-    *patterns(
-        "mixed", lambda match: (match["color"], number(match["count"]), match["other"]),
-        "(?:with |has |have |there is |and )*(?:exactly |just |a |an )*(?P<count>NUM) (?P<color>COLOR) "
-        "(?:(?:stranger|outlier|intruder|misfit|BLOCK|one|odd one out) )?(?:BE )?(?:in|into|among|inside) the "
-        f"(?P<other>COLOR)s? ?(?:ones|BLOCK|{G})?",
-    ),
+    *MIXED,
+    *SNEAKED,
+    *EXCEPT,
+    *EACH_HAS,
     *patterns(
         "apart", _apart,
         rf"(?:the )?(?:{GS} |NUM )?(?:BE )?(?:at least|no less than|minimum) (?P<length>[\d.]+) (?P<unit>cm|mm|"

@@ -7,7 +7,7 @@ from itertools import pairwise
 
 from rpg.core.diagnostics import Diagnostic
 from rpg.language.grammar.core import Parser
-from rpg.language.meaning import Absolute, Chain, Clause, replace
+from rpg.language.meaning import Absolute, Chain, Clause, Coord, Loc, replace
 
 _OR = ([",", "or"], ["or"])
 
@@ -26,6 +26,9 @@ def or_listed(p: Parser, chain: Chain) -> Chain | None:
     ways = _in_ways(p, clauses[at - 1], clauses[at]) if themes[at] == themes[at - 1] else []
     if ways is None or _listed_inside(p, clauses[at - 1]):
         return None
+    if ways and (beside := _beside_it(ways[0], [*ways[1:], clauses[at]])) is not None:
+        return replace(chain, clauses=(*clauses[: at - 1], beside, *clauses[at + 1 :]),
+                       links=(*chain.links[:at], *chain.links[at + 1 :]))  # fmt: skip
     if ways:
         links = (*chain.links[:at], *("or" for _ in ways[1:]), *chain.links[at:])
         return replace(chain, clauses=(*clauses[: at - 1], *ways, *clauses[at:]), links=links)
@@ -51,6 +54,21 @@ def _in_ways(p: Parser, first: Clause, last: Clause) -> list[Clause] | None:
     if not gaps or inside.count(",") > len(gaps) or any(gap != [","] for gap in gaps):
         return None
     return [replace(first, adjuncts=first.adjuncts[:1]), *(replace(last, adjuncts=(x,)) for x in first.adjuncts[1:])]
+
+
+def _beside_it(first: Clause, sides: list[Clause]) -> Clause | None:
+    """ "(Red is) next to blue, on its left or on its right": on one side or the other, and next to it in any case."""
+    places = [side.adjuncts[0] for side in sides if len(side.adjuncts) == 1]
+    close = isinstance(near := first.adjuncts[0], Loc) and near.rel in _NEAR
+    its = all(isinstance(x, Loc) and x.rel in _ACROSS and getattr(x.landmark, "word", "") == "it" for x in places)
+    if not close or not its or len(places) < len(sides):
+        return None
+    either = Coord(op="or", items=tuple(places), span=(places[0].span[0], places[-1].span[1]))
+    return replace(first, adjuncts=(near, either))
+
+
+_NEAR = frozenset({"beside", "adjacent", "touching", "near", "distance"})
+_ACROSS = frozenset({"left", "right", "front", "behind"})
 
 
 def _listed_inside(p: Parser, first: Clause) -> bool:

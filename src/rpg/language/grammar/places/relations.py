@@ -16,14 +16,14 @@ from rpg.language.grammar.places.nearer_one import nearer_one
 from rpg.language.grammar.places.offsets import centred_on
 from rpg.language.grammar.places.other_side import other_side
 from rpg.language.grammar.places.outside import neither, outside
-from rpg.language.grammar.places.prepositions import CLOSE, DIRECT, relation, side_relation
+from rpg.language.grammar.places.prepositions import CLOSE, DIRECT, relation
 from rpg.language.grammar.places.regions import region
 from rpg.language.grammar.places.side_lengths import side_length
 from rpg.language.grammar.places.sides import OVER
+from rpg.language.grammar.places.two_relations import either_relation, not_but
 from rpg.language.grammar.places.where_was import where_was
 from rpg.language.grammar.places.whose import whose
 from rpg.language.grammar.things.nouns import noun_phrase
-from rpg.language.grammar.things.retold import brought_up
 from rpg.language.meaning import Coord, In, Loc, Meaning, Noun, PartOf, Pronoun, Structure, TableTop, replace
 
 _COMPARED = frozenset({"more", "less", "farther", "further", "closer", "nearer"})
@@ -48,7 +48,7 @@ def loc(p: Parser, i: int) -> Results[Meaning]:
         return
     if (k := p.one(i, OVER)) and p.stands(k, THERE):
         yield from _loc(p, k)
-    yield from _not_but(p, i)
+    yield from not_but(p, i)
     j = p.any_of(i, _NOWHERE) or p.one(i, "not") or (p.any_of(i, _RATHER) if i else 0)
     if j and p.stands(j, _COMPARED):
         j = 0
@@ -129,7 +129,7 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
             yield from how_far(p, i, k, placed)
     if (j := p.any_of(i, _THERE)) and (j >= p.end or p.words[j] in _AFTER_THERE):
         yield Loc(rel="on", landmark=Pronoun(word="there", span=p.span(i, j)), span=p.span(i, j)), j
-    yield from _either_relation(p, i)
+    yield from either_relation(p, i)
     yield from against_side(p, i)
     yield from near_enough(p, i)
     yield from other_side(p, i)
@@ -156,56 +156,6 @@ _SORTED_BY = frozenset(
 """Behind "by" these are no landmarks: "groups by letter"."""
 _HELD = frozenset({"carried", "supported", "borne", "topped", "covered", "crowned"})
 """Behind these a further "by" tells once more by what: "carried by the red one first, and then by the blue one"."""
-
-
-_BUT_NOT = (", but not", "but not", ", not", ", yet not", "yet not", "and not", ", and not", ", though not",
-            "though not", "without", "rather than", "instead of", "as opposed to", ", rather than")  # fmt: skip
-
-
-@choice
-def _either_relation(p: Parser, i: int) -> Results[Meaning]:
-    """ "to the left or to the right of", "left of and behind": two relations with one landmark."""
-    start = p.one(i, "either") or i
-    firsts = [(name, j) for (name, _), j in relation(p, start)] + [
-        (s.rstrip("?"), j) for (s, _), j in side_relation(p, start)
-    ]
-    if p.words[start : start + 1] in (["left"], ["right"]):
-        firsts.append((p.words[start], p.reach(start + 1)))
-    for first, j in firsts:
-        denied = p.any_of(j, _BUT_NOT)
-        k = denied or p.one(j, ("or", "and"))
-        op = "and" if denied else p.words[j] if k else ""
-        for (second, mods), m in relation(p, k) if k else ():
-            for landmark, end in noun_phrase(p, p.opt(m, ",") if denied else m):
-                if isinstance(landmark, TableTop):
-                    continue
-                span = p.span(i, end)
-                parts = (
-                    Loc(rel=first, landmark=landmark, span=span),
-                    Loc(rel=second, landmark=brought_up(landmark), mods=mods, negated=denied > 0, span=span),
-                )
-                yield Coord(op=op, items=parts, span=span), end
-
-
-_BUT = ("but rather", "but instead", "but", ", but rather", ", but instead", ", but", ", rather", ", instead")
-
-
-@choice
-def _not_but(p: Parser, i: int) -> Results[Coord]:
-    """ "not to the right but to the left of the black one": the landmark behind the second of them is that of both."""
-    start = p.one(i, "not")
-    sides = [(side.rstrip("?"), j) for (side, _), j in side_relation(p, start)] if start else []
-    for side, j in [*sides, ("front", p.seq(start, "in front"))] if start and p.rarely(_CONTRASTING) else ():
-        k = p.any_of(j, _BUT) if j else 0
-        for (second, mods), m in relation(p, k) if k else ():
-            for landmark, end in noun_phrase(p, m):
-                span = p.span(i, end)
-                denied = Loc(rel=side, landmark=landmark, negated=True, span=span)
-                placed = Loc(rel=second, landmark=landmark, mods=mods, span=span)
-                yield Coord(op="and", items=(placed, denied), span=span), end
-
-
-_CONTRASTING = frozenset({"but", "rather", "instead"})
 
 
 @choice

@@ -107,3 +107,8 @@ BEFORE_IT: tuple[Turn, ...] = (
 """What is looked for, and what is said instead."""
 WORDS = ("forbidden prohibited briefly instant letting momentarily occasion permitted present spot temporarily wait",)
 """Words that these take besides those that are read anyway."""
+AT_THE_END: tuple[Turn, ...] = (
+    ("^((?:at|in) the end(?: ,)? .+) , (?:and |but )?never (?=in front|behind|left|right|on|next|beside|to)",
+     "{1} , not "),
+)  # fmt: skip
+"""What is told of the end alone: "never" is no more than "not" there."""

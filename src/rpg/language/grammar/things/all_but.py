@@ -20,6 +20,8 @@ _IS = frozenset({",", "which", "that", "it", "is", "are", "being", "should", "mu
 _ONES = frozenset({"one", "ones", "block", "blocks", "cube", "cubes", "brick", "bricks"})
 _FEW = frozenset({"a", "an", "one", "two", "three", "exactly", "single", "just"})
 _THEY = frozenset({"they", "these"})
+_WHOLES = frozenset({"one", "other"})
+"""Ahead of "all blue except for a green one" these are one of several figures."""
 _PART = 12
 """So many words name a part at most: "the second one from the left"."""
 
@@ -30,7 +32,8 @@ def exceptions_first(tokens: list[Token]) -> list[Token]:
     for start, token in enumerate(tokens):
         if token.word in _IN and (told := _but_one_letter(tokens, start)) is not None:
             return told
-        if token.word == "all" and (found := _at(tokens, start)) is not None:
+        whole = start > 0 and tokens[start - 1].word in _WHOLES
+        if token.word == "all" and not whole and (found := _at(tokens, start)) is not None:
             part, end, color, other = found
             rest = [_word(word, tokens[start]) for word in ("and", "the", "others")]
             said = [*part, replace(other, kind="word"), *rest, color]

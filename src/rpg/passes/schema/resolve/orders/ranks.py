@@ -13,6 +13,7 @@ from rpg.passes.schema.resolve.orders.by_size import BY_SIZE, by_size
 from rpg.passes.schema.resolve.orders.by_value import HIGHEST, by_value, highest
 from rpg.passes.schema.resolve.orders.in_grids import CELLS
 from rpg.passes.schema.resolve.orders.letter_by_letter import told_alike
+from rpg.passes.schema.resolve.orders.one_of_two import one_of_two
 from rpg.passes.schema.resolve.orders.positions import SIDES
 from rpg.passes.schema.resolve.orders.reordered import begun_in_order
 from rpg.passes.schema.resolve.places.sided_patches import sided_patch
@@ -30,6 +31,8 @@ def ranked(noun: Noun, scene: Scene, scope: Scope) -> Ref:
                      "name each of their places")  # fmt: skip
     if rank.startswith("@") and (own := _of_the_line(noun, rank[1:], scene)) is not None:
         return own
+    if rank.startswith("@") and (told := one_of_two(noun, rank[1:], scene)) is not None:
+        return told
     if rank.startswith("@"):
         return sided_patch(noun, rank[1:], scene, scope)
     if rank.startswith("#"):
@@ -114,8 +117,8 @@ def _several_at_an_end(noun: Noun, many: int, whole: Ref, scene: Scene) -> Ref:
 
 def _several_off_the_top(noun: Noun, scene: Scene) -> Ref | None:
     """ "(A tower of four red blocks.) The top two go on the mat": whichever are moved were on top."""
-    wholes, many = _wholes(scene), noun.amount
-    tower = wholes[0] if len(wholes) == 1 and wholes[0].kind == "stack" and not wholes[0].ordered else None
+    there, many = wholes(scene), noun.amount
+    tower = there[0] if len(there) == 1 and there[0].kind == "stack" and not there[0].ordered else None
     if tower is None or many is None or many.low != many.high or not 1 < many.low < len(tower.members):
         return None
     if noun.head == "patch" or not _is_taken(noun, tower, scene):

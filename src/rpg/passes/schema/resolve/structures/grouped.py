@@ -141,8 +141,8 @@ def told_lots(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> 
     if pool is not None and len(taken) < len(pool):
         raise refuse("count-mismatch", "some of the blocks are in none of the groups", shape.span,
                      "say what each group has so that all are used")  # fmt: skip
-    if any(alike([scene.things[a], scene.things[b]]) for one, two in pairwise(lots) for a in one for b in two):
-        return _mixed(lots, axis, shape, scene)
+    if axis is None and (mixed := _mixed(lots, shape, scene)) is not None:
+        return mixed
     node: type[r.LeftOf | r.InFrontOf] = r.LeftOf if axis == "y" else r.InFrontOf
     goals: list[g.Goal] = [s.GroupBy(groups=lots, span=shape.span)]
     goals += [node(a=a, b=b, span=shape.span) for a, b in pairwise(lots)] if axis is not None else []
@@ -183,21 +183,19 @@ def _blocks(look: Look, size: int | None) -> list[Noun]:
     return found
 
 
-def _mixed(lots: tuple[tuple[str, ...], ...], axis: str | None, shape: Structure, scene: Scene) -> Made:
-    """Look-alikes in more than one group: by colour with so many strangers in each, which of them being open.
-
-    Of two groups of two colours that says as much as how many of each there are.
-    """
+def _mixed(lots: tuple[tuple[str, ...], ...], shape: Structure, scene: Scene) -> Made | None:
+    """Look-alikes in two groups of two colours: by colour with so many strangers in each, which of them being open.
+    That says as much as how many of each there are; None where it does not."""
+    if not any(alike([scene.things[a], scene.things[b]]) for one, two in pairwise(lots) for a in one for b in two):
+        return None
     colors = [[scene.things[n].color for n in lot] for lot in lots]
     most = [max(set(lot), key=lot.count) for lot in colors]
     strange = {len(lot) - lot.count(best) for lot, best in zip(colors, most, strict=True)}
     plain = all(scene.things[n].label is None for lot in lots for n in lot)
-    if len(strange) > 1 or len(set(most)) < len(most) or len(lots) != 2 or axis is not None or not plain:
-        raise refuse("misplaced", "groups that share look-alikes are not understood like this", shape.span,
-                     "say how many strangers each group has")  # fmt: skip
-    kinds = tuple(tuple(n for lot in lots for n in lot if scene.things[n].color == best) for best in most)
+    if len(strange) > 1 or len(set(most)) < len(most) or len(lots) != 2 or not plain:
+        return None
     if any(scene.things[n].color not in most for lot in lots for n in lot):
-        raise refuse("misplaced", "groups that share look-alikes are not understood like this", shape.span,
-                     "say how many strangers each group has")  # fmt: skip
+        return None
+    kinds = tuple(tuple(n for lot in lots for n in lot if scene.things[n].color == best) for best in most)
     node = s.GroupBy(groups=kinds, by="color", outliers=strange.pop(), span=shape.span)
     return [scene.add_built("pile", tuple(n for lot in lots for n in lot), False, shape.span)], [node]

@@ -13,8 +13,8 @@ from rpg.language.meaning import Absolute, At, Meaning, Noun, Structure, Traits,
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.structures.column_words import along_column, in_column
 from rpg.passes.schema.resolve.structures.extents import plain
-from rpg.passes.schema.resolve.structures.slanting import SLOPES
 from rpg.passes.schema.resolve.structures.letters import cubes_for
+from rpg.passes.schema.resolve.structures.slanting import SLOPES
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.things import create
 from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, refuse

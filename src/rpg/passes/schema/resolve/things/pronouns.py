@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from rpg.language.later import later
 from rpg.language.meaning import OWNER, TOLD_HERE, Amount, Noun, Pronoun, Traits, replace
+from rpg.passes.schema.resolve.orders.one_of_two import the_other_of_two
 from rpg.passes.schema.resolve.structures.towers_apart import one_of_them
 from rpg.passes.schema.resolve.things.left_of_them import (
     check_no_extra_since,
@@ -326,7 +327,7 @@ def others(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
     if scene.whole and not noun.traits.colors:
         taken = set(scene.things) - (set(scene.whole) - scene.parted)
     left = [t for t in matching(noun.traits, scene, patch) if t.name not in taken]
-    left = left or of_the_last(noun, scene, patch) or of_the_start(noun, scene, patch)
+    left = left or the_other_of_two(noun, scene) or of_the_last(noun, scene, patch) or of_the_start(noun, scene, patch)
     left = the_like_of_it(noun, left, scene, patch) or left
     count = noun.amount.low if noun.amount else None
     left = left or more_like_it(noun, count, scene, patch)

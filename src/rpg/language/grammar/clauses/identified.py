@@ -33,7 +33,8 @@ def what_is_there(p: Parser, i: int, mode: str) -> Results[Clause]:
         end = end or (k if spot is not None and not led and p.follows(i, _AGAIN) else 0)
         for theme, last in simple(p, end) if end else ():
             if isinstance(theme, Noun) and theme.head != "patch" and isinstance(spot, Loc | In):
-                yield Clause(verb="be", theme=theme, adjuncts=(spot,), mode=mode, span=p.span(i, last), cost=1), last
+                span = p.span(i, last)
+                yield Clause(verb="be", lemma="fact", theme=theme, adjuncts=(spot,), mode=mode, span=span, cost=1), last
     yield from what_carries(p, i, mode)
 
 

@@ -20,7 +20,7 @@ def not_so(p: Parser, i: int, whole: Noun, j: int) -> Results[Coord | Noun]:
     """The noun from i on, which ends before j, without those that look as it is told behind it."""
     for marks, end in _looks(p, j):
         out = Noun(head="block", det="all", plural=True, traits=marks, span=p.span(j, end))
-        every = replace(whole, det="all", plural=True)
+        every = replace(whole, det="all", plural=whole.det != "the" or whole.plural)  # "the one that is not red": one
         others = Coord(op="besides", items=(every, out), span=p.span(i, end))
         if whole.det == "no":
             yield Noun(head="block", det="no", plural=True, part_of=others, span=others.span), end

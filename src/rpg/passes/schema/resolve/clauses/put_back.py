@@ -35,7 +35,8 @@ def put_back(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
                 if place is None or moved.get(one, 0) > 1:
                     raise refuse("no-goal", "it is not said where it was", clause.span, "say where to put it")
                 clauses[k] = replace(clause, lemma="put", adjuncts=(replace(place, span=clause.adjuncts[0].span),))
-            if place is not None and not moved.get(one) and one not in left and _told_there(clause, place, text):
+            there = place is not None and not moved.get(one) and one not in left
+            if place is not None and there and (_told_there(clause, place, text) or (_back(clause) and fact is None)):
                 raise refuse("ambiguous", "it is said to be there at the start", clause.span,
                              "say where it is before it is put there")  # fmt: skip
             if _back(clause) or (_returns(clause, place) and _BACK.search(text[slice(*clause.span)]) is not None):
@@ -47,8 +48,8 @@ def put_back(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
                 if off is not None and one not in was:
                     was[one] = (off, None)
                 moved[one] = moved.get(one, 0) + (not any(getattr(x, "rel", "") == "off" for x in clause.adjuncts))
-            elif one and one not in was and (there := _place(clause)) is not None:
-                was[one] = (there, (n, k) if clause.mode == "goal" else None)
+            elif one and one not in was and (spot := _place(clause)) is not None:
+                was[one] = (spot, (n, k) if clause.mode == "goal" else None)
     return tuple(replace(chain, clauses=tuple(clauses)) for chain, clauses in zip(chains, found, strict=True))
 
 

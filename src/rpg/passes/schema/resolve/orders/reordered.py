@@ -177,6 +177,8 @@ def kind_again(theme: Ref, spec: Spec, scene: Scene) -> str:
     if spec.absolutes and figures:  # "four blocks in a square, 2 cm between neighbours, with a blue one in the middle"
         raise refuse("ambiguous", f"these blocks form a {figures[-1]} already", theme.span,
                      "say first what the figure is made of, and then how wide its gaps are")  # fmt: skip
+    if not spec.toward and any(order.first in ("bottom", "top") for order in spec.orders):
+        return "stack"  # "two blocks: a red one and a blue one on it"
     if spec.toward or spec.absolutes:
         return "line"
     if len(theme.built) == 1 and theme.built[0].kind in FIRST:

@@ -95,7 +95,10 @@ def _coord(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
     if meaning.op == "none but":
         return none_but(meaning, scene, scope)
     if meaning.op == "besides":
-        return replace(excepted(meaning, scene, scope), op="and", parts=())
+        found = replace(excepted(meaning, scene, scope), op="and", parts=())
+        if not getattr(meaning.items[0], "plural", True) and len(found.names) > 1:
+            raise refuse("ambiguous", f"this could be any of {len(found.names)} blocks", meaning.span, "name it")
+        return found
     if meaning.op == "only":
         alone = refer(meaning.items[-1], scene, scope)
         scene.mentions.pop()
@@ -299,8 +302,14 @@ def _is_patch(noun: Noun, scene: Scene, scope: Scope) -> bool:
                     return False
                 raise refuse("ambiguous", "this could be a block or a patch", noun.span, "say 'block' or 'patch'")
             return all(t.patch for t in pool) if pool else True
-        return scope.like_patch or (scope.role == "landmark" and _the_marked(noun, scene))
+        return scope.like_patch or _as_those(noun, scene) or (scope.role == "landmark" and _the_marked(noun, scene))
     return noun.head == "patch"
+
+
+def _as_those(noun: Noun, scene: Scene) -> bool:
+    """ "Clear the red mat but not the blue one": where patches alone are spoken of, it is one of these."""
+    alone = scene.things and all(thing.patch for thing in scene.things.values())
+    return noun.det == "the" and bool(noun.traits.colors) and bool(alone)
 
 
 def _the_marked(noun: Noun, scene: Scene) -> bool:

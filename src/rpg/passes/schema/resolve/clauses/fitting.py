@@ -34,7 +34,7 @@ from rpg.language.meaning import (
     parts_of,
     replace,
 )
-from rpg.passes.schema.resolve.clauses.order_again import check_borne_again, check_order_again
+from rpg.passes.schema.resolve.clauses.order_again import check_borne_again, check_order_again, check_rebuilt
 from rpg.passes.schema.resolve.things.things import matching, quality_fits
 from rpg.passes.schema.resolve.things.world import Built, Scene, Thing, refuse
 
@@ -69,7 +69,7 @@ def check_words(chains: Sequence[Chain], scene: Scene) -> None:
                 case Structure():
                     _structure(part)
                 case Clause():
-                    _rebuilt(part, told)
+                    check_rebuilt(part, told)
                     _clause(part)
                     _wholly(part)
                     _own_parts(part)
@@ -192,16 +192,6 @@ def _all_such(labels: tuple[str, ...], quality: str | None, span: Span) -> None:
         if quality and not quality_fits(Thing(name="", label=label), quality):
             what = _QUALITY.get(quality, "such a number")
             raise _unfit(f"{label} is not {what}", span, "name those that are meant one by one")
-
-
-def _rebuilt(clause: Clause, told: bool) -> None:
-    """Refuse "rebuild this tower with green on top" where nothing is said of what it is made of."""
-    shape = clause.theme
-    if clause.lemma != "rebuild" or told or not isinstance(shape, Structure) or shape.det != "the" or shape.members:
-        return
-    if not any(isinstance(part, OrderBy | Using) for part in parts_of(clause)):
-        raise refuse("no-referent", "nothing is told of what is to be built again", shape.span,
-                     "say how it starts: 'there is a tower with red on blue'")  # fmt: skip
 
 
 def _clause(clause: Clause) -> None:

@@ -1,11 +1,24 @@
-"""Clauses without a verb, of which the one before may tell more than they say."""
+"""Clauses of which the one before tells more than they say: those without a verb, and "rebuild it"."""
 
 from __future__ import annotations
 
 from itertools import pairwise
 
 from rpg.language.grammar.clauses.verb_again import alike, in_an_order, merely_placed, several
-from rpg.language.meaning import At, Chain, Clause, Loc, Meaning, Noun, Traits, parts_of, replace
+from rpg.language.meaning import (
+    At,
+    Chain,
+    Clause,
+    Loc,
+    Meaning,
+    Noun,
+    OrderBy,
+    Structure,
+    Traits,
+    Using,
+    parts_of,
+    replace,
+)
 from rpg.passes.schema.resolve.things.world import refuse
 
 
@@ -18,6 +31,16 @@ def check_order_again(chain: Chain) -> None:
         if ordered and merely_placed(again) and several(item.theme) and not alike(item.theme):
             raise refuse("ambiguous", "are these in an order as well, or merely there?", item.span,
                          "say 'put ... there', or in which order they are")  # fmt: skip
+
+
+def check_rebuilt(clause: Clause, told: bool) -> None:
+    """Refuse "rebuild this tower with green on top" where nothing is said of what it is made of."""
+    shape = clause.theme
+    if clause.lemma != "rebuild" or told or not isinstance(shape, Structure) or shape.det != "the" or shape.members:
+        return
+    if not any(isinstance(part, OrderBy | Using) for part in parts_of(clause)):
+        raise refuse("no-referent", "nothing is told of what is to be built again", shape.span,
+                     "say how it starts: 'there is a tower with red on blue'")  # fmt: skip
 
 
 def check_borne_again(chain: Chain) -> None:

@@ -91,3 +91,15 @@ def none_but(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
         raise refuse("misplaced", "this is none of the blocks that it is an exception to", exception.span,
                      "say 'no other block than ...'")  # fmt: skip
     return Ref(names=only.names, op="except", parts=(only, Ref(names=rest)), plural=True, span=meaning.span)
+
+
+def besides(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
+    """ "All that are not red", "the one that is not red", which is one.
+
+    Raises:
+        Refusal: it could be any of several.
+    """
+    found = replace(excepted(meaning, scene, scope), op="and", parts=())
+    if not getattr(meaning.items[0], "plural", True) and len(found.names) > 1:
+        raise refuse("ambiguous", f"this could be any of {len(found.names)} blocks", meaning.span, "name it")
+    return found

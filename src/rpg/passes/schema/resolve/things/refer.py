@@ -12,11 +12,11 @@ from rpg.passes.schema.resolve.clauses.alls import note_all
 from rpg.passes.schema.resolve.orders.by_size import BY_SIZE
 from rpg.passes.schema.resolve.structures.towers_apart import one_of_them
 from rpg.passes.schema.resolve.things.counting import check_both, counted_among, denied, elliptical, not_of_a_structure
-from rpg.passes.schema.resolve.things.excepted import excepted, none_but
+from rpg.passes.schema.resolve.things.excepted import besides, excepted, none_but
 from rpg.passes.schema.resolve.things.extras import extras
 from rpg.passes.schema.resolve.things.listing import bounded, fewer_than, listed, lot, one_more, quantified, repeats
 from rpg.passes.schema.resolve.things.pronouns import PAIR, others, pronoun
-from rpg.passes.schema.resolve.things.second_patch import the_only_patch
+from rpg.passes.schema.resolve.things.second_patch import as_those, the_only_patch
 from rpg.passes.schema.resolve.things.select import select
 from rpg.passes.schema.resolve.things.shares import SHARES, share_of
 from rpg.passes.schema.resolve.things.spoken import one_built
@@ -95,10 +95,7 @@ def _coord(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
     if meaning.op == "none but":
         return none_but(meaning, scene, scope)
     if meaning.op == "besides":
-        found = replace(excepted(meaning, scene, scope), op="and", parts=())
-        if not getattr(meaning.items[0], "plural", True) and len(found.names) > 1:
-            raise refuse("ambiguous", f"this could be any of {len(found.names)} blocks", meaning.span, "name it")
-        return found
+        return besides(meaning, scene, scope)
     if meaning.op == "only":
         alone = refer(meaning.items[-1], scene, scope)
         scene.mentions.pop()
@@ -302,14 +299,8 @@ def _is_patch(noun: Noun, scene: Scene, scope: Scope) -> bool:
                     return False
                 raise refuse("ambiguous", "this could be a block or a patch", noun.span, "say 'block' or 'patch'")
             return all(t.patch for t in pool) if pool else True
-        return scope.like_patch or _as_those(noun, scene) or (scope.role == "landmark" and _the_marked(noun, scene))
+        return scope.like_patch or as_those(noun, scene) or (scope.role == "landmark" and _the_marked(noun, scene))
     return noun.head == "patch"
-
-
-def _as_those(noun: Noun, scene: Scene) -> bool:
-    """ "Clear the red mat but not the blue one": where patches alone are spoken of, it is one of these."""
-    alone = scene.things and all(thing.patch for thing in scene.things.values())
-    return noun.det == "the" and bool(noun.traits.colors) and bool(alone)
 
 
 def _the_marked(noun: Noun, scene: Scene) -> bool:

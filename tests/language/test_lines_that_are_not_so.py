@@ -52,6 +52,7 @@ def test_numbers_and_sizes_that_change_along_a_line(text: str, meaning: str) -> 
         ("Stack A, B and C. They must not be in alphabetical order.", "ambiguous"),
         ("The digits 1 to 8 in a row from left to right, not ascending.", "incomplete"),
         ("Put the blocks in a row, not in a tower.", "misplaced"),
+        ("Put A, B, C and D in a 2x2 grid with A and D in opposite corners.", "ambiguous"),
     ],
 )
 def test_what_is_still_open(text: str, code: str) -> None:

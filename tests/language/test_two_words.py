@@ -55,4 +55,6 @@ def test_what_is_behind_a_word_may_be_no_word() -> None:
         "The red block must be behind the blocks S, U and N."
     )
     assert code_of("Spell SUN with blocks behind it.") == "self-reference"
+    assert code_of("Spell SUN with none behind it.") == "misplaced-word"
+    assert code_of("Spell SUN. And one behind it.") == "ambiguous"
     assert code_of("There are the letters T, E and A. Spell TEA and EAT.") == "contradiction"

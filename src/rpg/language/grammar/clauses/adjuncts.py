@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from rpg.language import lexicon
+from rpg.language.grammar.clauses.but_for import but_not
 from rpg.language.grammar.clauses.manners import manner
 from rpg.language.grammar.clauses.may_be_so import may_be_so
 from rpg.language.grammar.clauses.nowhere import not_there
@@ -134,6 +135,7 @@ def adjunct(p: Parser, i: int) -> Results[Meaning]:
         yield from limb(p, i, letter)
     yield from each_led(p, i)
     yield from offset(p, i)
+    yield from but_not(p, i)
 
 
 _COPULAS = frozenset(

@@ -11,7 +11,11 @@ _NUMBER = f"(?!(?:{FEW})\\b)"
 _WORD = "([a-z]{2,})"
 _FIRST = f"{_ASKED}{_NUMBER}{_WORD}"
 _THINGS = "(?:block|cube|box|letter|digit|number|symbol|patch|mat|tower|stack|row|word|(?:no|any|some|every)thing)"
-_SECOND = f"(?:the word |(?!(?:{COLOR}|{_THINGS}s?(?:es)?)\\b)){_WORD}"
+_OTHERS = (
+    "(?:none|another|others?|more|some|any|all|both|each|every|enough|plenty|nobody|no|not|space|room|gaps?|air|only|"
+    "just|also|still|them|this|that|these|those|it|the|an?)"
+)
+_SECOND = f"(?:the word |(?!(?:{COLOR}|{FEW}|{_OTHERS}|{_THINGS}s?(?:es)?)\\b)){_WORD}"
 _BESIDE = "((?:right |directly |just )?(?:behind|in front of|to the left of|to the right of))"
 _IT = "(?:it|that|this|the first(?: one| row| word)?)"
 _ROW = "(?: row| line)"
@@ -30,9 +34,10 @@ TWO_WORDS: tuple[Turn, ...] = (
     (f"{_FIRST}{_ONE}{_AND} {_BESIDE} {_IT}(?: ,)? {_SECOND} {_OTHER}{_ENDS}", "{1} {2} . {1} {4} {3} it"),
     (f"{_FIRST} [.;] and {_SECOND} {_BESIDE} {_IT}{_ENDS}", _BEHIND_IT),
     (f"{_FIRST}(?: ,)? with {_SECOND} {_BESIDE} {_IT}{_ENDS}", _BEHIND_IT),
-    (f"{_ASKED}{_WORD} in the (?:front|near){_ROW}{_AND} {_SECOND} in the{_ROW} (behind) {_IT}{_ENDS}", _BEHIND_IT),
-    (f"{_ASKED}{_WORD} in the (?:back|far|rear){_ROW}{_AND} {_SECOND} in the{_ROW} (in front of) {_IT}{_ENDS}",
+    (f"{_ASKED}{_WORD} in the (?:front|near){_ROW}{_AND} (?:the word )?{_WORD} in the{_ROW} (behind) {_IT}{_ENDS}",
      _BEHIND_IT),
+    (f"{_ASKED}{_WORD} in the (?:back|far|rear){_ROW}{_AND} (?:the word )?{_WORD} in the{_ROW} (in front of) "
+     f"{_IT}{_ENDS}", _BEHIND_IT),
     (f"{_FIRST}{_TWICE} one(?: of them| word| row)? {_BESIDE} the other{_ENDS}", "{1} {2} . {1} another {2} {3} it"),
     (f"{_FIRST}{_TWICE}(?: ,)? once {_THERE}{_AND} once {_THERE}{_ENDS}", "{1} {2} {3} . {1} another {2} {4}"),
     (f"{_FIRST}{_TWICE}{_ENDS}", "{1} {2} . {1} another {2}"),

@@ -25,7 +25,7 @@ _BACKWARDS = Patterns(
     f"{_IN} {_ABC} {_ORDER} backwards|backward|reversed|but_backwards|but_reversed|from_z_to_a",
 )  # fmt: skip
 _NUMERICAL = Patterns("in|by|following? the|correct? numerical|numeric|number order|sequence")
-_NUMBERS_GO = "with|so_that|such_that|so|where|while? the|their numbers|digits|values|numerals are|is?"
+_NUMBERS_GO = "with|so_that|such_that|so|where|while? the|their numbers|digits|values|numerals are|is? strictly?"
 _INCREASING = Patterns(
     f"{_NUMBERS_GO} going|go|goes|getting|get|run|running up|upward|upwards|bigger|larger|higher",
     f"{_NUMBERS_GO} increasing|increase|rising|rise|ascending|ascend|growing|grow|climbing|climb",
@@ -38,15 +38,18 @@ _THEY_GO = (
     "so_that|such_that|so|where|while? they|the_cubes|the_blocks|the_edges? "
     "get|getting|become|becoming|grow|growing|go|going|are_getting"
 )
+_SIZES_GO = "with|so_that|such_that|so|where the|their|its size|sizes strictly?"
 _UP = Patterns(
     f"{_THEY_GO} bigger|larger|taller|greater",
-    "so_that|such_that|so|where they|the_cubes|the_blocks increase|rise|grow|ascend in_size|in_value?",
+    "so_that|such_that|so|where they|the_cubes|the_blocks strictly? increase|rise|grow|ascend in_size|in_value?",
+    f"{_SIZES_GO} increasing|increases|increase|growing|grows|grow|rising|rises|rise",
     "and? then|from_there|from_there_on only? ascending|increasing|rising|going_up|growing|upwards|up",
     f"{_IN} rising|growing|ascending|increasing|upward number|numeric|numerical|size? {_ORDER}",
 )
 _DOWN = Patterns(
     f"{_THEY_GO} smaller",
-    "so_that|such_that|so|where they|the_cubes|the_blocks decrease|shrink|descend in_size|in_value?",
+    "so_that|such_that|so|where they|the_cubes|the_blocks strictly? decrease|shrink|descend in_size|in_value?",
+    f"{_SIZES_GO} decreasing|decreases|decrease|shrinking|shrinks|shrink|falling|falls|fall",
     "and? then|from_there|from_there_on only? descending|decreasing|falling|going_down|shrinking|downwards|down",
     f"{_IN} falling|shrinking|descending|decreasing|downward number|numeric|numerical|size? {_ORDER}",
 )
@@ -67,12 +70,12 @@ _NAMES = (
     ("number", False, _NUMERICAL),
     ("number", True, _DECREASING), ("ascending", False, _UP), ("ascending", True, _DOWN),
 )  # fmt: skip
-_SIZES = frozenset({"bigger", "larger", "taller", "greater", "smaller", "size"})
+_SIZES = frozenset({"bigger", "larger", "taller", "greater", "smaller", "size", "sizes"})
 """What blocks that show no numbers differ in."""
 _TELLING = frozenset(
     f"{_ABC} z alphabetically numerical numeric number size numbers digits values numerals ascending increasing rising "
     "growing upwards upward up descending decreasing falling shrinking downwards downward down bigger larger taller "
-    "greater smaller increase rise grow ascend decrease shrink descend".replace("|", " ").split()
+    "greater smaller increase rise grow ascend decrease shrink descend sizes".replace("|", " ").split()
 )
 """Words without one of which none of these orders is told."""
 _EXTREMES = {

@@ -14,6 +14,8 @@ _EACH = (
     f"each|every|each_of_them one|block|cube|letter|number|digit? {_IS}",
     f"each|every_one of the two|three|four|five|six|seven|eight? ones|blocks|cubes|letters|numbers|digits {_IS}",
 )
+_SHOWS = "each|every one|block|cube? shows|has|carries a"
+_NUMBER = "number|digit|value"
 _ONE = "than the one|block|cube|number|digit|letter that_is|which_is|directly|immediately|right?"
 _LESS = "smaller|littler|lower|less"
 _MORE = "bigger|larger|greater|higher"
@@ -27,7 +29,20 @@ _SIDES = {
     "back": ("behind it",),
 }  # fmt: skip
 _TOLD = tuple(
-    (first, descending, Patterns(*(f"{_LEAD}? {each} {more} {_ONE} {side}" for each in _EACH for side in sides)))
+    (
+        first,
+        descending,
+        Patterns(
+            *(
+                told
+                for side in sides
+                for told in (
+                    *(f"{_LEAD}? {each} {more} {_ONE} {side}" for each in _EACH),
+                    f"{_LEAD}? {_SHOWS} {more} {_NUMBER} {_ONE} {side}",
+                )
+            )
+        ),
+    )
     for first, sides in _SIDES.items()
     for descending, more in ((True, _LESS), (False, _MORE))
 )

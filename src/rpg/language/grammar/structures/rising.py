@@ -11,7 +11,10 @@ from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.meaning import Clause, Coord, Meaning, Noun, OrderBy, Toward, replace
 
 _TOWARDS = ("towards the", "toward the", "to the", "towards", "toward", "in the direction of the")
-_FARTHER = Patterns("with|by their|the|its? distance|distances from the|your? robot|arm|camera|viewer|me|you|us")
+_FARTHER = Patterns(
+    "with|by their|the|its? distance|distances from the|your? robot|arm|camera|viewer|me|you|us",
+    "with their|the|its? distance|distances",
+)
 _RISE = {
     **dict.fromkeys(("increase", "rise", "ascend", "grow", "climb"), False),
     **dict.fromkeys(("decrease", "fall", "descend", "shrink", "drop"), True),
@@ -45,12 +48,14 @@ _RISING = {
     **dict.fromkeys(("decreasing", "falling", "descending", "shrinking", "dropping"), True),
 }
 _RISES = {**_RISE, **{f"{word}s": down for word, down in _RISE.items()}}
+_GETTING = {f"{gets} {way}": way == "smaller" for gets in ("gets", "get", "getting", "becomes", "become")
+            for way in ("bigger", "larger", "smaller")}  # fmt: skip
 _LEADS = ("that", "which", "and", "so that it", "so it", "so that they", "so they", "whose numbers", "whose values",
           "where the numbers", "so that the numbers", "with numbers that")  # fmt: skip
-_GROWING = frozenset({"growing", "shrinking"})
+_GROWING = frozenset({"growing", "shrinking", "bigger", "larger", "smaller"})
 """What blocks that show no numbers do in size."""
 _DIGITS = frozenset({"numbers", "digits", "number", "digit", *lexicon.NUMBER})
-_MARKED = frozenset({*_RISING, *_RISES})
+_MARKED = frozenset({*_RISING, *_RISES, "bigger", "larger", "smaller"})
 _STEPS = frozenset({"staircase", "stairs", "stair", "stairway", "steps", "heights"})
 """What rises by itself."""
 _NUMBERS = frozenset({"numbers", "digits", "numerals", "values", "numerical"})
@@ -65,6 +70,8 @@ def rising(p: Parser, i: int) -> Iterator[tuple[OrderBy, int]]:
     finite = p.any_of(j, _LEADS)
     j = finite or j
     descending = p.lex(j, _RISES if finite else _RISING)
+    for phrase, k in p.standing(j, _GETTING):
+        descending, j = _GETTING[phrase], k - 1
     if descending is None or not p.all.isdisjoint(_STEPS) or p.follows(j, _NUMBERS):
         return
     if finite and _DIGITS.isdisjoint(p.words) and all(token.kind != "number" for token in p.tokens):

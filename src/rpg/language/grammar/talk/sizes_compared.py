@@ -63,7 +63,12 @@ _SIDE = re.compile(
     f"(?:(?:on|to|at) the (?P<side>left|right)(?: side)?(?: of the (?:other|taller|shorter|longer|lower|higher)"
     f"(?: one| {_K})?)?|(?P<color>{_C}))(?= [.,;]| and|$)"
 )
-_BY_HOW_MUCH = re.compile(f"(?:^| )(?P<one>{_ONE}) {_IS} {_THAN} than (?:{_ONE}|it)\\b(?! by)")
+_NEXT = (
+    "(?:that is |which is |directly |right )*(?:on|to|below|beneath|under|underneath|above|before|after|behind|left|"
+    "right)"
+)
+"""What tells a neighbour: each is compared with that, and not with so many blocks."""
+_BY_HOW_MUCH = re.compile(f"(?:^| )(?P<one>{_ONE}) {_IS} {_THAN} than (?:{_ONE}|it)\\b(?! by| {_NEXT}\\b)")
 _HAS_SO_MANY = re.compile(
     f"\\bthe {_C} one (?:has|is|{_MUST} (?:have|be)) {_N}\\b(?! {_B} (?:{_THAN}|more|fewer|less))"
 )

@@ -5,6 +5,7 @@ from __future__ import annotations
 from rpg.ir import goal as g
 from rpg.ir.walk import transform
 from rpg.passes.schema.resolve.clauses.kept import brought_about
+from rpg.passes.schema.resolve.goals.denied_lines import none_of_a_tower
 from rpg.passes.schema.resolve.goals.inserted import into_their_tower
 from rpg.passes.schema.resolve.goals.lasting import beside_what_is_done
 from rpg.passes.schema.resolve.goals.left_out_of_line import none_left_out_in_line
@@ -25,7 +26,7 @@ def with_what_is_meant(goal: g.Goal, scene: Scene) -> g.Goal:
     """`goal` with the premises of its words: what landmarks are, what is left alone, towers that still stand,
     and what lasts beside what is done."""
     goal = both_as_listed(with_order_kept(order_left_free(letters_in_place(goal, scene), scene), scene), scene)
-    goal = transform(one_by_one(goal, scene), besides_their_patches)
+    goal = transform(one_by_one(none_of_a_tower(goal), scene), besides_their_patches)
     goal = brought_about(off_their_patches(keep_premises(goal, scene), scene), scene)
     goal = into_their_tower(beside_what_is_done(goal, scene), scene)
     goal = no_two_in_one_line(still_standing(two_ways(goal), scene))

@@ -152,6 +152,10 @@ def _opposite_corners(theme: Ref, meaning: In, scene: Scene, span: Span) -> Atom
     if len(units) != 2 or theme.quant is not None or theme.op != "and" or meaning.negated or scene.denying:
         what = meaning.region.replace("_", " ")
         raise refuse("ambiguous", f"two things can be in {what}", span, "name two blocks")
+    told = {*units[0], *units[1]}
+    if any(told <= {*built.members} and built.kind not in WITHOUT_CORNERS for built in scene.built):
+        raise refuse("ambiguous", "of the figure, and not of the table: in which of its corners is which?", span,
+                     "say 'with the A in the far left corner'")  # fmt: skip
     return [_across(units[0], units[1], meaning.region, span)]
 
 

@@ -12,6 +12,7 @@ from rpg.ir import structures as s
 from rpg.language.meaning import Absolute, At, Meaning, Noun, Structure, Traits, Using, parts_of, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.structures.column_words import along_column, in_column
+from rpg.passes.schema.resolve.structures.equation_ends import ends_told
 from rpg.passes.schema.resolve.structures.extents import plain
 from rpg.passes.schema.resolve.structures.letters import cubes_for
 from rpg.passes.schema.resolve.structures.slanting import SLOPES
@@ -200,7 +201,13 @@ def _equation_node(names: tuple[str, ...], text: str | None, spec: Spec, shape: 
     spec.toward = []
     longer = text is not None and bool(re.search(r"\d\d", text))
     node = s.Equation(blocks=names, along="stack" if upright else "row", longer=longer, text=text, span=shape.span)
-    return [scene.add_built("equation", names, True, shape.span, "left")], [node]
+    ends = ends_told(node, spec, scene, lambda said: _same(said, text) if text else _is_true(said))
+    return [scene.add_built("equation", names, True, shape.span, "left")], [node, *ends]
+
+
+def _same(said: str, text: str) -> bool:
+    """Whether this is the equation, with either side first."""
+    return said in (text, "=".join(reversed(text.split("="))))
 
 
 def _default_equation(operator: str | None) -> str:
@@ -246,12 +253,14 @@ def check_solvable(names: tuple[str, ...], scene: Scene, span: Span) -> None:
 
 def solvable(labels: list[str]) -> bool:
     """Whether some order of these symbols is a true equation."""
-    for order in sorted(set(permutations(labels))) if len(labels) <= MAX_SEARCHED else ():
-        sides = "".join(order).split("=")
-        plain = len(sides) == 2 and all(re.fullmatch(r"\d([-+*/]\d)*", side) for side in sides)
-        if plain and _value(sides[0]) == _value(sides[1]) is not None:
-            return True
-    return False
+    orders = sorted(set(permutations(labels))) if len(labels) <= MAX_SEARCHED else ()
+    return any(_is_true("".join(order)) for order in orders)
+
+
+def _is_true(said: str) -> bool:
+    sides = said.split("=")
+    plain = len(sides) == 2 and all(re.fullmatch(r"\d([-+*/]\d)*", side) for side in sides)
+    return plain and _value(sides[0]) == _value(sides[1]) is not None
 
 
 def _value(side: str) -> float | None:

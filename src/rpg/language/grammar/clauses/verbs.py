@@ -169,9 +169,9 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
                 continue
             said = (*added(lemma, in_turn(p, j, k, theme, found) if sense == "stack" else found), *alone)
             bare = all(isinstance(x, Manner) and x.kind == "idle" for x in said)  # "take it off again"
-            cost = int(bare and (sense == "keep" or (sense == "pick" and p.words[k - 1] in ("off", "down"))))
+            off = sense == "pick" and not {"off", "down", "away"}.isdisjoint((p.words[k - 1], p.words[j - 1]))
             done = Clause(verb=sense, lemma=lemma, theme=theme, adjuncts=said, span=p.span(i, end), word=word)
-            yield replace(picked_out(p, j, k, done), cost=cost), end
+            yield replace(picked_out(p, j, k, done), cost=int(bare and (sense == "keep" or off))), end
     if sense == "sort" and p.words[j] in ("by", "according"):
         yield from _by_first(p, i, j, lemma)
     if sense in ("stack", "build", "arrange", "sort", "place"):

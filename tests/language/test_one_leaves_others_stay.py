@@ -28,6 +28,9 @@ _ROW = "At the start, the three blocks are in a row from left to right in the or
         ("Three red blocks are on the white patch. Take off all but one.",
          "At the start, the three red blocks are on the white patch",
          "Exactly two of the three red blocks must not be on the white patch."),
+        ("There is a tower of red, green and blue from bottom to top. Take away the middle one.", _TOWER,
+         "The green block must not be somewhere above the red block. The red and blue blocks must form a tower of "
+         "exactly two from bottom to top in the order red, blue."),
         ("There is a row of red, green and blue from left to right. Take away the green one.", _ROW,
          "The green block must be apart from the red block. The green block must be apart from the blue block. "
          "The red and blue blocks must stay where they are."),

@@ -6,9 +6,14 @@ from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.meaning import Clause, Pronoun
 
-_ENDED = frozenset({"with", "as", "be", ":", "up", "finally"})
+_ENDED = frozenset({"with", "as", "be", "is", ":", "up", "finally"})
 """What stands before how it ends."""
+_SAME = ("the same tower|stack|row|line|column|blocks|cubes|ones|order|two|three|four|five|six blocks|cubes|ones? ,? "
+         "just|but|only|simply?")  # fmt: skip
 _REVERSE = Patterns(
+    f"{_SAME} in|with the? reversed|reverse|opposite|inverse order",
+    f"{_SAME} with_the_order|with_its_order reversed|inverted|flipped|the_other_way_round|the_other_way_around",
+    f"{_SAME} the_other_way_round|the_other_way_around|reversed|backwards",
     "the|its|their exact? reverse|opposite|inverse order|sequence?",
     "the reversed|opposite order|sequence|tower|stack|row|line",
     "the|its|their reverse|opposite of_it|of_that|of_this|of_them?",

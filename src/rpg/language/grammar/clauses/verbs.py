@@ -22,6 +22,7 @@ from rpg.language.grammar.clauses.turned import REST, not_turned
 from rpg.language.grammar.clauses.verb_again import in_line_already
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.its_place import in_its_place
+from rpg.language.grammar.places.line_ends import steps_ahead
 from rpg.language.grammar.places.relations import on_its_own
 from rpg.language.grammar.structures.from_an_end import in_turn
 from rpg.language.grammar.structures.orders import order
@@ -81,7 +82,7 @@ _BEHIND = {**dict.fromkeys(("stack", "arrange", "place", "unstack"), _UP_OR_OUT)
 def _no_particle(p: Parser, k: int) -> bool:
     """ "Out of the way", "(put it) back left": these tell where."""
     corner = p.stands(k, _UP_OR_OUT) and p.stands(k + 1, ("left", "right"))
-    return bool(p.seq(k, "out of the way")) or (corner and p.words[k + 2] in ("", ",", ".", "and"))
+    return bool(p.seq(k, "out of the way")) or steps_ahead(p, k) or (corner and p.words[k + 2] in ("", ",", ".", "and"))
 
 
 @rule
@@ -168,9 +169,9 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
                 continue
             said = (*added(lemma, in_turn(p, j, k, theme, found) if sense == "stack" else found), *alone)
             bare = all(isinstance(x, Manner) and x.kind == "idle" for x in said)  # "take it off again"
-            cost = int(bare and (sense == "keep" or (sense == "pick" and p.words[k - 1] in ("off", "down"))))
+            off = sense == "pick" and not {"off", "down", "away"}.isdisjoint((p.words[k - 1], p.words[j - 1]))
             done = Clause(verb=sense, lemma=lemma, theme=theme, adjuncts=said, span=p.span(i, end), word=word)
-            yield replace(picked_out(p, j, k, done), cost=cost), end
+            yield replace(picked_out(p, j, k, done), cost=int(bare and (sense == "keep" or off))), end
     if sense == "sort" and p.words[j] in ("by", "according"):
         yield from _by_first(p, i, j, lemma)
     if sense in ("stack", "build", "arrange", "sort", "place"):

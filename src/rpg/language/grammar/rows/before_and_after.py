@@ -46,6 +46,14 @@ _ORDER_WAS = (
 )
 _ORDER_WILL_BE = f"(?:{END} ,? ?)?(?:(?:it|the \\1) )?(?:{MUST} |make it )(?:read|be|go|show|have the order)(?: {END})?"
 """A line that is told twice, with the order of its colours at the start and at the end."""
+_WAS_AND_WILL_BE = (
+    f"^(?=[^.]*\\b{UP}\\b)(?:{TIME} ,? ?)?(?:the|an?) ({LINE})(?: of (?:blocks|cubes))?(?: {TIME})?(?: ({UP}))? "
+    f"(?:reads?|is|goes|shows|has the order)(?: {TIME})?(?: ({UP}))?(?: :)? ({LIST})(?: ,)?(?: ({UP}))?(?: {TIME})?"
+    f"(?: \\.| ,)?(?: and| but)? (?:{END} ,? ?)?(?:(?:it|the \\1) )?"
+    f"(?:(?:{MUST}|make it)(?: (?:read|be|become|go|show|have the order))?|becomes?|turns? into)(?: {END})?(?: :)? "
+    f"({LIST})(?: {END})?(?= \\.|$)"
+)
+"""The same where only the first order says where it begins."""
 
 BEFORE_AND_AFTER: tuple[Turn, ...] = (
     ("\\b(clear|empty) (the [^.,]+?) first(?: so that it is (?:empty|clear|free)(?: again)?)? \\. "
@@ -58,6 +66,10 @@ BEFORE_AND_AFTER: tuple[Turn, ...] = (
      "starts|stands|sits) on [^.]+)(?= \\.|$)", "at the start , {2} . swap the two"),
     (f"{_ORDER_WAS}{_ORDER_WILL_BE}(?: :)? ({LIST}){_WAY}(?: {END})?(?= \\.|$)",
      "at the start there is a {1} : {3} {2} {4} . build a {1} : {5} {6}"),
+    ("^(?:the )?start is ([^.]+?)(?: \\.| ,| ;| and| , and) (?:the )?(?:goal|end|finish) is (?!(?:that|to|not)\\b)",
+     "start : {1} . goal : "),
+    ("^start is (?=an? )", "the start is "),
+    (_WAS_AND_WILL_BE, "at the start there is a {1} : {4} {2} {3} {5} . build a {1} : {6} {2} {3} {5}"),
     (f"{_ORDER_WAS}{_ORDER_WILL_BE}(?: :)? ({LIST})(?: {END})?(?= \\.|$)",
      "at the start there is a {1} : {3} {2} {4} . build a {1} : {5} {2} {4}"),
     (f"(\\b(?:tower|stack|pile)\\b.* \\. [^.]*\\brow\\b[^.,]*?)(?: from left to right)?{_FROM} the (top|bottom)"

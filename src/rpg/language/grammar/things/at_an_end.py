@@ -24,6 +24,7 @@ _ENDS = {
     "rightmost": "right", "first": "1", "last": "last", "front": "front", "back": "back",
     "middle": "middle", "central": "middle", "inner": "middle", "outer": "outer", "outermost": "outer",
 }  # fmt: skip
+_TIPS = {"tops": "top", "bottoms": "bottom"}
 _ONES = frozenset({"ones", *(word for word, several in BLOCK.items() if several), "letters", "digits"})
 _BEHIND = frozenset({"off", "on", "onto", "and", "down", "away", "apart", "to", "must", "should", "are", "next", "in",
                      "into", ",", "side", "beside", "go", "stay", "move", "come", "leave", "swap", "trade",
@@ -39,6 +40,9 @@ def at_an_end(p: Parser, i: int) -> Results[Noun]:
     j = p.one(i, _THE)
     ahead = p.number(j) if j else None  # "the two top blocks"
     rank = p.lex(j + (ahead is not None), _ENDS) if j else None
+    if j and (top := p.lex(j, _TIPS)) is not None and (j + 1 == p.end or p.stands(j + 1, _BEHIND | {"of"})):
+        end = max(_OF_EACH.matches(p, j + 1), default=j + 1)
+        yield Noun(head="block", det="the", plural=True, traits=Traits(rank=top), span=p.span(i, end), cost=1), end
     if rank is None:
         return
     if ahead is None:

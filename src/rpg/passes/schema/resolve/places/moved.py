@@ -83,8 +83,19 @@ def off_what(theme: Ref, loc: Loc, scene: Scene) -> Ref | None:
         tower = towers[0] if len(towers) == 1 and alike([scene.things[n] for n in towers[0]]) else ()
         under = [name for name in tower if name != theme.names[0]]
     if under:
+        _out_of_the_middle(theme.names[0], under, scene)
         return Ref(names=tuple(under), plural=len(under) > 1, span=loc.span)
     return _off_its_patch(theme, loc, scene)
+
+
+def _out_of_the_middle(name: str, under: list[str], scene: Scene) -> None:
+    """ "(Green is on blue and blue is on red.) Take blue away": what lay on it and below it stays a tower."""
+    over: list[str] = []
+    while above := [n for n, below in scene.on_top.items() if below == ([name, *over][-1]) and n not in over]:
+        over += above[:1]
+    begun = {n for fact in scene.start_goals for n in names_in(fact)}
+    if over and {name, *over, *under} <= begun and name not in scene.taken:
+        scene.taken[name] = (*reversed(under), *over)
 
 
 def _off_their_own(theme: Ref, loc: Loc, scene: Scene) -> Ref | None:

@@ -6,6 +6,7 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.node import members
+from rpg.ir.order import Order
 from rpg.ir.schema import NONE_BESIDES
 from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Coord, In, Loc, Manner, Noun, replace
@@ -14,7 +15,7 @@ from rpg.passes.schema.resolve.goals.conflicts import required
 from rpg.passes.schema.resolve.goals.logic import conj, denied
 from rpg.passes.schema.resolve.places.alone import beyond
 from rpg.passes.schema.resolve.places.relations import place
-from rpg.passes.schema.resolve.things.things import Premise, matching
+from rpg.passes.schema.resolve.things.things import Premise, alike, matching
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
 
 
@@ -56,10 +57,17 @@ def _without_their_top(goal: g.Goal, scene: Scene) -> list[g.Goal]:
         if top not in told | off or told & {*below}:
             continue
         if len(below) > 1:
-            found.append(s.Stack(blocks=below, exact=True))
+            found.append(s.Stack(blocks=below, exact=True, order=_as_it_stood(below, scene)))
         else:
             found += [g.Not(goal=r.Above(a=(a,), b=(b,))) for a, b in ((top, *below), (*below, top))]
     return found
+
+
+def _as_it_stood(blocks: tuple[str, ...], scene: Scene) -> Order:
+    """The order of blocks from bottom to top, where they can be told apart."""
+    if alike([scene.things[name] for name in blocks]):
+        return Order()
+    return Order(by="given", ranks=tuple((name,) for name in blocks), first="bottom")
 
 
 def _lasting(goal: g.Goal, scene: Scene) -> list[g.Goal]:

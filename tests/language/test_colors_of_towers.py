@@ -29,6 +29,15 @@ def test_each_of_them_has_its_blocks(text: str, plain: str) -> None:
     assert means(text) == means(plain)
 
 
+def test_ends_of_one_color_and_colors_that_take_turns_in_one_tower() -> None:
+    mirrored = "The two brown blocks and the two white blocks must be stacked with mirrored colors."
+    assert mirrored in means("Make a tower of two brown and two white blocks, top and bottom the same color.")
+    assert "in the order red, white, red, white, red." in means(
+        "Make a tower of three red and two white blocks, colors taking turns, red at the top."
+    )
+    assert code_of("Make a tower of three red and two white blocks, top and bottom of different colors.")
+
+
 def test_towers_of_mixed_colors() -> None:
     meant = {
         "assets": {"red": 3, "blue": 3},

@@ -32,9 +32,10 @@ FAMILIES: tuple[Family, ...] = (
     (relations.PATTERNS, relations.told),
 )
 """Those that are asked first."""
-LATER: tuple[Family, ...] = (
-    (told_floors.PATTERNS, told_floors.told),
+LATER: tuple[Family, ...] = ((told_floors.PATTERNS, told_floors.told),)
+"""Families that are asked where no other one knows all that is said."""
+LAST: tuple[Family, ...] = (
     (heights_told.PATTERNS, heights_told.told),
     (shares_told.PATTERNS, shares_told.told),
 )
-"""Families that are asked where no other one knows all that is said."""
+"""Those that try all ways to build what is told, where no other one knows it."""

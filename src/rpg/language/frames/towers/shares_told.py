@@ -12,6 +12,7 @@ from itertools import combinations_with_replacement, pairwise, permutations, pro
 from rpg.language.frames.groups.shared import listed
 from rpg.language.frames.pieces import Piece, Unclear
 from rpg.language.frames.towers.shares_words import PATTERNS
+from rpg.language.lexicon import COLORS
 
 __all__ = ["PATTERNS", "told"]
 
@@ -45,10 +46,18 @@ def told(pieces: Sequence[Piece]) -> str:
         raise Unclear  # these may be there at the start
     shares = _gathered(pieces)
     ways = set(_ways(shares))
+    if any(_all_or_one(what, ways) for *_, what, _ in shares.said) and ("turns", "") not in [x[2] for x in shares.said]:
+        raise Unclear
     kinds = {tuple(sorted(tuple(sorted(tower)) for tower in way)) for way in ways}
     if len(kinds) != 1 or any(_ANY in tower for kind in kinds for tower in kind):
         raise Unclear
     return " ".join(f"Build {text}." for text in _one_by_one(kinds.pop(), ways))
+
+
+def _all_or_one(what: tuple[str, str], ways: set[Way]) -> bool:
+    """ "With green on top", where a tower has several green ones: all of them, or one?"""
+    color, _, bare = what[1].partition(" ")
+    return bare == "bare" and any(tower.count(color) > 1 for way in ways for tower in way)
 
 
 def _gathered(pieces: Sequence[Piece]) -> _Shares:
@@ -69,7 +78,13 @@ def _gathered(pieces: Sequence[Piece]) -> _Shares:
         elif piece.kind in ("told", "denied"):
             so = piece.kind == "told"
             waiting.append((piece.value, so))
-            if who[0] or not so or "always" in piece.words.split() or piece.words.startswith(("bottoms", "tops")):
+            if (
+                who[0]
+                or not so
+                or shares.count == 1
+                or "always" in piece.words.split()
+                or piece.words.startswith(("bottoms", "tops"))
+            ):
                 shares.said += [(*(who if who[0] else ("each", 0)), *waiting.pop())]
         elif piece.kind == "break" and piece.words in _STOPS:
             who = ("", 0)
@@ -79,14 +94,16 @@ def _gathered(pieces: Sequence[Piece]) -> _Shares:
             raise Unclear
     if not shares.count and shares.size:
         shares.count = sum(shares.stock.values()) // shares.size
-    if shares.count < 2 or shares.size < 2 or not shares.said:
+    if shares.count == 1 and not shares.size:
+        shares.size = sum(shares.stock.values())
+    if not shares.count or shares.size < 2 or not shares.said or (shares.count == 1 and not shares.stock):
         raise Unclear
     return shares
 
 
 def _ways(shares: _Shares) -> Iterator[Way]:
     """Every way to build the towers as it is told."""
-    named = [color for *_, (_, of), _ in shares.said for color in of.split() if color.isalpha()]
+    named = [color for *_, (_, of), _ in shares.said for color in of.split() if color in COLORS]
     looks = list(dict.fromkeys([*shares.stock, *named, *([] if shares.stock else [_ANY])]))
     if shares.stock and (sum(shares.stock.values()) != shares.count * shares.size or {*named} - {*shares.stock}):
         raise Unclear
@@ -140,6 +157,10 @@ def _holds(what: tuple[str, str], tower: Tower, looks: Sequence[str]) -> bool:
             return (len({*tower}) == 1) == (kind == "single")
         case "every":
             return {*tower} == {*looks}
+        case "ends":
+            return (tower[0] == tower[-1]) == (of == "same")
+        case "turns":
+            return _by_turns(tower)
         case "one each":
             return len(tower) == len(looks) == len({*tower})
         case "plain":
@@ -150,6 +171,10 @@ def _holds(what: tuple[str, str], tower: Tower, looks: Sequence[str]) -> bool:
             return tower.count(color) > int(more)
         case _:
             return tower.count(color) == int(more)
+
+
+def _by_turns(tower: Tower) -> bool:
+    return all(one != other for one, other in pairwise(tower))
 
 
 def _one_by_one(kinds: Sequence[Tower], ways: set[Way]) -> list[str]:
@@ -176,4 +201,6 @@ def _forms(kind: Tower) -> list[tuple[str, set[Tower]]]:
             found.append(
                 (f"a tower of {blocks} with a {color} block at the {end}", {x for x in orders if x[at] == color})
             )
+    for word, so in (("mirrored", lambda x: x == x[::-1]), ("alternating", _by_turns)):
+        found.append((f"a tower of {blocks} with {word} colors", {*filter(so, orders)}))
     return [*found, *((f"a tower, from bottom to top: {', '.join(f'a {c} block' for c in x)}", {x}) for x in orders)]

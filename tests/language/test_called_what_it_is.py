@@ -10,6 +10,7 @@ LIGHT = "Red is on top, yellow in the middle, green at the bottom."
 CALLED = (
     (f"Imagine a traffic light made of blocks. {LIGHT}", LIGHT),
     (f"Can you build a traffic light? {LIGHT}", LIGHT),
+    (f"Can you build a little traffic light? {LIGHT}", LIGHT),
     ("Build a lighthouse, red at the bottom and white on top.", "red at the bottom and white on top"),
     ("Make a snowman, a tower of three white blocks.", "a tower of three white blocks"),
     ("Make a chimney, i.e. five red blocks stacked.", "five red blocks stacked"),

@@ -71,7 +71,10 @@ def _named(tokens: list[Token], start: int) -> Iterator[tuple[str, int]]:
     end = article + 1
     while end < len(words) and end - article <= _LONGEST and tokens[end].kind == "word" and words[end] not in _OUT_OF:
         end += 1
-    name = tokens[article + 1 : end]
+    begin = article + 1
+    while begin < end and words[begin] in lexicon.SIZE:
+        begin += 1  # "a little bridge": how large it is follows from what is told
+    name = tokens[begin:end]
     colon = _behind_stuff(words, end)
     more = colon + 1 < len(words) and words[colon + 1] not in _STOPS
     if more and name and any(map(_strange, name)) and not any(map(_tells, name)):

@@ -12,7 +12,7 @@ from rpg.language.frames.pieces import Pattern, Piece
 from rpg.language.frames.relations import relations
 from rpg.language.frames.shapes import shape, stairs
 from rpg.language.frames.symbols import equation, spelled
-from rpg.language.frames.towers import heights_told, told_floors, tower
+from rpg.language.frames.towers import heights_told, shares_told, told_floors, tower
 from rpg.language.frames.towers import several as towers
 
 Family = tuple[Sequence[Pattern], Callable[[Sequence[Piece]], str]]
@@ -32,5 +32,10 @@ FAMILIES: tuple[Family, ...] = (
     (relations.PATTERNS, relations.told),
 )
 """Those that are asked first."""
-LATER: tuple[Family, ...] = ((told_floors.PATTERNS, told_floors.told), (heights_told.PATTERNS, heights_told.told))
+LATER: tuple[Family, ...] = ((told_floors.PATTERNS, told_floors.told),)
 """Families that are asked where no other one knows all that is said."""
+LAST: tuple[Family, ...] = (
+    (heights_told.PATTERNS, heights_told.told),
+    (shares_told.PATTERNS, shares_told.told),
+)
+"""Those that try all ways to build what is told, where no other one knows it."""

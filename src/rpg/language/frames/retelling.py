@@ -16,7 +16,7 @@ from rpg.language.frames.around.given import existing, with_given
 from rpg.language.frames.around.measured import without_measures
 from rpg.language.frames.around.paired import pairs
 from rpg.language.frames.around.turned import without_turns
-from rpg.language.frames.families import FAMILIES, LATER, Family
+from rpg.language.frames.families import FAMILIES, LAST, LATER, Family
 from rpg.language.frames.lots import check_joined
 from rpg.language.frames.pieces import CLASSES, Piece, Unclear, coded, cut
 from rpg.language.frames.relations import relations
@@ -139,7 +139,7 @@ def words() -> frozenset[str]:
         *changed.TOLD,
         *measured.TOLD,
         *turned.PATTERNS,
-        *(pattern for known, _ in (*FAMILIES, *LATER) for pattern in known),
+        *(pattern for known, _ in (*FAMILIES, *LATER, *LAST) for pattern in known),
     ]
     texts = [*CLASSES.values(), *(pattern.text for pattern in told), *(lead.pattern for _, lead in moments.PATTERNS)]
     return frozenset(word for text in texts for word in re.findall(r"(?<![<a-z\\])[a-z]{2,}", text))
@@ -151,7 +151,7 @@ def plainly(tokens: Sequence[Token]) -> str | None:
     if _misnamed(said):
         return None
     besides = _told_besides(tokens)
-    found = _tellings(said, FAMILIES, besides) or _tellings(said, LATER, besides)
+    found = next(filter(None, (_tellings(said, tier, besides) for tier in (FAMILIES, LATER, LAST))), set[str]())
     return found.pop() if len(found) == 1 else None
 
 

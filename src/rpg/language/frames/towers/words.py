@@ -117,8 +117,8 @@ PATTERNS = [
         "(?:for|of|in) (?:each|every one) of the (?:NUM )?colors?", "color wise",
         f"(?:one|a|an|its own|own) {_ADJ}*{T} (?:per|for each|for every|of each|of every|for|in each) (?:one "
         ")?(?:of the )?colors?", "one (?:per|for each|for every|of each|of every|for|in each) color",
-        "(?:each|every one|all)(?: one)? (?:in |of |with |has |having )?(?:a |its )?(?:color of its own|own color|"
-        "color for itself)",
+        f"(?:each|every one|all)(?: one| {T})? (?:in |of |with |has |having )?(?:a |its )?(?:color of its own|"
+        "own color|color for itself)",
         "(?:each|every) color (?:BE |has |have |gets |forms |makes |becomes |goes |should have |must have |must "
         f"form |must be |should form |be |stacked |put |placed |built |made |into |to |in |on )*(?:a |an |its |one "
         f"|in )*{_ADJ}*{T}(?: of its own| for "
@@ -137,7 +137,9 @@ PATTERNS = [
         f"one colored)",
         "(?:no|without) (?:mixed colors|mixing(?: of)? (?:the )?colors)", "(?:do not|never) mix (?:the )?colors",
     ),
-    *patterns("basis", "different", f"{TS} (?:have|of|in|with|BE|are of|are in|have all) different colors"),
+    *patterns("basis", "different",
+        f"no (?:two|2) (?:{TS}|of them) (?:BE |have |of |in |with )*(?:the )?same(?: color)?",
+        f"{TS} (?:have|of|in|with|BE|are of|are in|have all) different colors"),
     *patterns(
         "each", None,
         f"(?:(?:in|with|where|of|for|on) )*{_EACH}(?: (?:with|has|have|of|contains?|is|are|must|should|be|"

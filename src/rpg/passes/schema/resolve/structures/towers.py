@@ -11,6 +11,7 @@ from rpg.language.meaning import Coord, Meaning, Noun, Pattern, Structure, Trait
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.structures.heights import of_heights
 from rpg.passes.schema.resolve.structures.so_many_towers import bounded, each_number, within, without_range
+from rpg.passes.schema.resolve.structures.towers_by_turns import by_turns
 from rpg.passes.schema.resolve.things.from_stock import several_from_stock
 from rpg.passes.schema.resolve.things.members import certain, declared, new_members, some_of
 from rpg.passes.schema.resolve.things.refer import refer
@@ -70,6 +71,8 @@ def several(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope
         names, count = _given(theme, shape, count, per, by_color, scene)
     else:
         names, count = _new(shape.traits, shape, count, per, by_color, scene)
+    if not by_color and bounds is None and (made := by_turns(names, count, per, spec, shape, scene)) is not None:
+        return made
     if not by_color and not any(o.by == "any" for o in spec.orders):
         _one_color_each(names, count, per, equal, shape, scene)
     heights = (per,) * count if per is not None and count is not None else None

@@ -1,5 +1,5 @@
-"""Two rows of colors told one by one, where the second may be told by the first: "the front row is red, white, blue from
-left to right and the back row is the same in reverse", "two rows, one behind the other, each red, white, blue"."""
+"""Two rows of colors told one by one, where the second may be told by the first: "the front row is red, white, blue and
+the back row is the same in reverse", "two rows, one behind the other, each red, white, blue from left to right"."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ _IS = f"(?: (?:is|reads|goes|has|{MUST} be|{MUST} read|:))?"
 _JOINT = "(?: ,| \\.| ;| and| but| while)+"
 _ROWS = {"front": "(?:front|near|nearer)", "back": "(?:back|far|rear)"}
 _REVERSED = (
-    "(?:the same(?: colors)? |it |just the same )?(?:(?:but )?(?:in reverse(?: order)?|reversed|backwards?|the other way "
-    "round|mirrored|in (?:the )?(?:opposite|reverse) order))"
+    "(?:the same(?: colors)? |it |just the same )?(?:but )?(?:in reverse(?: order)?|reversed|backwards?|the other way "
+    "round|mirrored|in (?:the )?(?:opposite|reverse) order)"
 )
 _SAME = "(?:(?:just |exactly )?the same(?: colors)?(?: in the same order)?|(?:just )?like it)"
 _ONE_BEHIND = "(?: ,)? one (?:directly |right |straight )?(?:behind|in front of) the other(?: ,| :)?"
@@ -37,8 +37,10 @@ def _of_so_many(many: int) -> Iterator[Turn]:
         yield f"{second}{_IS} {_SAME}{_RIGHT}(?= \\.|$)", f"{one} row : {again} ; {other} row : {again}"
         yield f"{second}{_IS} {_REVERSED}(?= \\.|$)", f"{one} row : {again} ; {other} row : {back}"
         yield f"{second}{_IS} {told}{_RIGHT}(?= \\.|$)", f"{one} row : {again} ; {other} row : {more}"
-    yield (f"^(?:build |make |lay )?{rows}{_ONE_BEHIND} (?:each|both)(?: of them)?{_IS}(?: of)? {told}{_RIGHT}(?= \\.|$)",
-           f"front row : {again} ; back row : {again}")
+    yield (
+        f"^(?:build |make |lay )?{rows}{_ONE_BEHIND} (?:each|both)(?: of them)?{_IS}(?: of)? {told}{_RIGHT}(?= \\.|$)",
+        f"front row : {again} ; back row : {again}",
+    )
 
 
 ROWS_ALIKE: tuple[Turn, ...] = tuple(turn for many in (2, 3, 4, 5, 6) for turn in _of_so_many(many))

@@ -7,7 +7,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from rpg.language import lexicon
+from rpg.language.grammar.rows.one_of_two import ONE_OF_TWO
 from rpg.language.grammar.rows.parting import STOPS
+from rpg.language.grammar.rows.turned import all_of_it, turned
 from rpg.language.tokens import Token
 
 _BREAKS = frozenset({",", ".", ";", ":", "!", "?", "…", "(", ")"})
@@ -30,6 +32,8 @@ MOST = 8
 def clauses_apart(tokens: Sequence[Token]) -> Iterator[list[Token]]:
     """The words parted, or joined, at one place: each place where that may be meant, from the left."""
     words = [token.word for token in tokens]
+    told = turned([*tokens], ONE_OF_TWO, all_of_it)
+    yield from [told] if told != tokens else []
     for at in range(1, len(tokens) - 2):
         yield from _told_with(tokens, words, at)
         yield from _so_that(tokens, words, at)

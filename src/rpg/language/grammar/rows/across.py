@@ -6,6 +6,7 @@ from __future__ import annotations
 from rpg.language.grammar.rows.begun import HEAP
 from rpg.language.grammar.rows.contrasted import WRONG_WAY_ROUND
 from rpg.language.grammar.rows.kinds_in_rows import ROWS_HAVE
+from rpg.language.grammar.rows.rows_alike import ROWS_ALIKE
 from rpg.language.grammar.rows.said_short import PLACE, THING
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.two_rows import WORDS_IN_ROWS
@@ -75,6 +76,7 @@ ACROSS: tuple[Turn, ...] = (
     *WRONG_WAY_ROUND,
     *WORDS_IN_ROWS,
     *TWO_WORDS,
+    *ROWS_ALIKE,
     *ROWS_HAVE,
     ("\\b(in two rows) \\. (?=[^.]* in the (?:back|front|far|near|first|second) row\\b)", "{1} : "),
     # "one mat is blue, the other is white"

@@ -66,5 +66,17 @@ BUT_ONE: tuple[Turn, ...] = (
     (f"^(?:discard|get rid of) ({_ALL} {_EXCEPT} {THINGS}|{_ALL}|{THINGS}|them|it)$", "remove {1}"),
 )  # fmt: skip
 """What makes no sense as it stands."""
+_ARE = f"(?:is|are|being|{MUST} be)"
+_BEHIND = f"(?: ,)? (?:[.,;:]|but|and|while)+ (?:only )?(?:that one|those(?: two| ones)?|these(?: two)?|it) {_ARE}"
+EXCEPTED_ACROSS: tuple[Turn, ...] = (
+    # what the exception looks like, told behind it
+    (f"\\b((?:they are |are )?all(?: of (?:them|these|those)| (?:the )?{_BLOCKS})?(?: {_ARE})? (?:in )?{COLOR}(?: ,)?) "
+     f"{_EXCEPT} (the [^.,;:]+?){_BEHIND} (?:all |both )?({COLOR})(?= [.,;!]|$)", "{1} except {2} , which are {3}"),
+    (f"\\b(all(?: of (?:them|these|those)| (?:the )?{_BLOCKS})?(?: {_ARE})? (?:in )?{COLOR}) but not (?=the )",
+     "{1} except "),
+    (f"\\ball {_EXCEPT} (the [^.,;:]+?)(?: {_ARE})? ({COLOR}){_BEHIND} (?:all |both )?({COLOR})(?= [.,;!]|$)",
+     "{1} {3} , all the others {2}"),
+)  # fmt: skip
+"""What is looked for in a text, and what is said instead: "all are red except the middle one. That one is blue"."""
 WORDS = ("rid discard",)
 """Words that these take besides those that are read anyway."""

@@ -18,7 +18,7 @@ from rpg.language.grammar.rows.begun import BEGUN, BEGUN_AT_ONCE
 from rpg.language.grammar.rows.beside_it import BESIDE_IT, BESIDE_IT_AT_ONCE
 from rpg.language.grammar.rows.besides import BESIDES, BESIDES_AT_ONCE
 from rpg.language.grammar.rows.borne_first import BORNE_FIRST
-from rpg.language.grammar.rows.but_one import BUT_ONE, BUT_ONE_AT_ONCE
+from rpg.language.grammar.rows.but_one import BUT_ONE, BUT_ONE_AT_ONCE, EXCEPTED_ACROSS
 from rpg.language.grammar.rows.by_turns import BY_TURNS_AT_ONCE
 from rpg.language.grammar.rows.cleared_parts import CLEARED_PARTS
 from rpg.language.grammar.rows.column_words import column_words
@@ -272,6 +272,7 @@ AT_ONCE, UNREAD, OVER_ALL = (
             *ON_SOME_MAT,
             *KINDS_ACROSS,
             *OWN_COLOR_ACROSS,
+            *EXCEPTED_ACROSS,
             *ONE_TOPPED,
             *TOLD_OF_BOTH,
             *CONTRASTS_ACROSS,

@@ -215,6 +215,10 @@ ORDERED_AT_ONCE: tuple[Turn, ...] = (
     ("\\bthe (\\d) ((?:is |being |comes |stands )?(?:the )?(?:second|third|fourth|fifth|leftmost|rightmost|first)(?= "
      "from the"
      "| ,|$| and| in a (?:row|line)))", "the digit {1} {2}"),
+    (f"^(?:out )?of (?:the )?({MANY}(?: {COLOR})? (?:blocks|cubes|bricks)) in (?:an?|the|one)(?: single)? (row|line|"
+     "column)(?: ,)? ((?:only )?(?:the|every|each) .+)$", "a {2} of {1} . {3}"),
+    (f"^in an? (row|line|column) of ({MANY}(?: (?:blocks|cubes|bricks))?)(?: ,)? ((?:every|each) (?:second|other) .+)$",
+     "a {1} of {2} , {3}"),
     (f"^(?:(?:make|build|i want) )?an? row of (.+?) (?:in which|where) ((?:{_ITEM}{_IS} {_PLACE}{_JOIN} ?)+)$",
      "put {1} in a row , {2}"),
     (f"^in an? row of ({_SYMBOLS})(?: ,| :) ((?:{_ITEM}{_IS} {_PLACE}{_JOIN} ?)+)$", "put {1} in a row , {2}"),

@@ -119,7 +119,8 @@ _CHECKERED = (
 DIAGONALS = frozenset({"diagonal", "diagonally", "diagonals", "opposite"})
 _SO = ",|:? where|with|so_that|such_that|in_which|and?"
 _ON_DIAGONAL = (
-    "is|are|being|sit|lie|stand? on_a|on_one|on_the? diagonal|diagonally|diagonals to|from|opposite? each_other?"
+    "is|are|being|sit|lie|stand? on_a|on_one|on_the? diagonal|diagonally|diagonals "
+    "to|from|opposite|across_from? each_other?"
 )
 _DIAGONAL = Patterns(
     f"{_SO} the? same|equal|like colors|blocks|cubes|ones {_ON_DIAGONAL}",

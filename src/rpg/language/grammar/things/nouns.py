@@ -159,6 +159,7 @@ def _table(p: Parser, i: int) -> Results[Meaning]:
 _PARTS = {
     "top": "top", "bottom": "bottom", "middle": "middle", "base": "bottom", "foot": "bottom", "center": "middle",
     "centre": "middle", "left end": "left", "right end": "right", "end": "end", "front": "front", "back": "back",
+    "far end": "back", "near end": "front",
 }  # fmt: skip
 
 

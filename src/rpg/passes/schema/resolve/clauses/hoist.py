@@ -37,6 +37,7 @@ from rpg.passes.schema.resolve.clauses.told_fully import told_fully
 from rpg.passes.schema.resolve.orders.above_it import others_beyond
 from rpg.passes.schema.resolve.orders.inside_lines import as_a_grid, between_in_line, in_a_line
 from rpg.passes.schema.resolve.orders.nothing_beyond import at_that_end
+from rpg.passes.schema.resolve.orders.one_more_at_an_end import at_its_end
 from rpg.passes.schema.resolve.places.drawn import drawn, grounded
 from rpg.passes.schema.resolve.places.heaped import heaped
 from rpg.passes.schema.resolve.places.opposite import opposite_sides
@@ -83,7 +84,7 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
             if (parts := in_one_tower(said)) and not any(found[:-1]) and not kept:
                 kept += [(link if n == 0 else "and", part) for n, part in enumerate(parts)]
                 continue
-            clause = _of_the_rest(_of_one(said), found)
+            clause = at_its_end(_of_the_rest(_of_one(said), found), _last(found) if link != "then" else None)
             if _asked_again(found, said, link) or _shape_alone(found, said, link) or _looks_listed(found, said, link):
                 continue
             if link not in ("then", "or") and _blocks_listed(found, said):

@@ -34,6 +34,7 @@ from rpg.passes.schema.resolve.structures.figures import check_built
 from rpg.passes.schema.resolve.structures.lined_towers import line_of, lined_up
 from rpg.passes.schema.resolve.structures.lines_apart import between_lines
 from rpg.passes.schema.resolve.structures.on_each_patch import on_each_patch
+from rpg.passes.schema.resolve.structures.side_of_two import side_of_two, sided
 from rpg.passes.schema.resolve.structures.structures import make
 from rpg.passes.schema.resolve.structures.towers_apart import stacked_alone
 from rpg.passes.schema.resolve.things.refer import refer
@@ -86,7 +87,8 @@ def shaped(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if uses_orders(built):
         spec.orders = []
     goals += places(ref, spec, scene, scope, clause.span)
-    if len(built) == 1 and built[0].kind in ("stack", "word") and not scope.start and _sided(spec):
+    goals += side_of_two(ref, clause, spec, scene, scope)
+    if len(built) == 1 and built[0].kind in ("stack", "word") and not scope.start and sided(spec):
         goals += loose_ats(ref, spec, scene, scope, clause.span)
     if spec.absolutes:
         goals += absolutes(ref, spec, scene, scope)
@@ -126,12 +128,6 @@ def _counted_alone(shape: Structure) -> bool:
     own = shape.members
     bare = isinstance(own, Noun) and own.head == "any" and own.traits == Traits() and own.det == "bare"
     return (own is None or (bare and not shape.sizes)) and len(shape.sizes) < 2
-
-
-def _sided(spec: Spec) -> bool:
-    """ "A tower of two on the left": a side of the table, or of what else is there, and no place in the tower."""
-    plain = [at for at in spec.ats if at.index is None and not at.whole and not at.own]
-    return len(spec.ats) == len(plain) == 1 and plain[0].side in ("left", "right", "front", "back")
 
 
 def _where_all_of_it_is(clause: Clause, spec: Spec, scope: Scope) -> Clause:

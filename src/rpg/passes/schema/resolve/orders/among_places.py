@@ -13,7 +13,7 @@ from rpg.passes.schema.resolve.orders.positions import SIDES, SYMMETRIC, line_gr
 from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, refuse
 
 
-def blocks_at(part: PartOf, of: Ref | None, scene: Scene) -> Ref:
+def blocks_at(part: PartOf, of: Ref | None, scene: Scene, scope: Scope) -> Ref:
     """The blocks that stand at these places `of` a structure; where all look alike, any of them, which are then said to
     stand there."""
     found = list(of.built) if of is not None else wholes(scene)
@@ -23,6 +23,7 @@ def blocks_at(part: PartOf, of: Ref | None, scene: Scene) -> Ref:
     whole, places = found[0], part.places
     if not isinstance(places, At | Places):
         return Ref(names=whole.members, plural=True, span=part.span)
+    left_alike(scene, scope)
     if whole.ordered and (members := _from_the_first(whole, places)):
         names = tuple(members[k] for k in _indices(places, whole, part.span, scene))
         return Ref(names=names, plural=len(names) > 1, span=part.span)
@@ -123,9 +124,18 @@ def all_alike(built: Built, scene: Scene, *told: str) -> bool:
     looks = {(t.color, t.label, t.kind, t.size) for t in things}
     return (
         len(looks) == 1
-        and bool(things[0].color or things[0].label)
+        and (bool(things[0].color or things[0].label) or {t.scheme for t in things} == {"same"})
         and not any(n in scene.on_top for n in built.members if n not in told)
     )
+
+
+def left_alike(scene: Scene, scope: Scope) -> None:
+    """Where something is put at "the middle one" of blocks of which no look is told, these look alike."""
+    found = wholes(scene) if scope.role == "landmark" else []
+    things = [scene.things[n] for n in found[0].members] if len(found) == 1 else []
+    if things and all(t.scheme is None and not (t.color or t.label or t.kind or t.size) for t in things):
+        for thing in things:
+            thing.scheme = "same"
 
 
 def wholes(scene: Scene) -> list[Built]:

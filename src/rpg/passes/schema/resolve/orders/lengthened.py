@@ -205,12 +205,15 @@ def _further(item: Absolute, kind: str, own: Collection[str | None], closed: boo
         return None
     ends = isinstance(place, Places) and place.side in ("ends", "outer")
     counted_ = ends or closed or (theme.amount is not None and amount_of(theme) is not None)
-    if theme.det not in ("a", "bare") or not counted_:
+    named = theme.det == "the" and amount_of(theme) in (None, 1) and not theme.plural  # "with the blue one at one end"
+    if not named and (theme.det not in ("a", "bare") or not counted_):
         return None
     if ends and (theme.det, theme.head, theme.amount, theme.plural) == ("bare", "any", None, False):
         return None
     if place.side in ("rest", "next") or (kind == "stack" and isinstance(place, At) and place.side != "middle"):
         return None
+    if named and (isinstance(place, At) or at_an_end(place)):
+        return theme
     count = amount_of(theme) or 1
     if isinstance(place, Places) and ends and not at_an_end(place):
         count = _ENDS * count if place.each or count == 1 else count

@@ -73,7 +73,8 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
     if found.by == "mirrored" and spec.listed and looks == looks[::-1]:
         found = Order()
         spec.orders = [o for o in spec.orders if o.by != "mirrored"]
-    if found.by == "any" and not spec.orders and spec.listed and (first or doubled(names, scene)):
+    as_listed = found.by == "any" and not spec.orders and spec.listed and (first or doubled(names, scene))
+    if as_listed:
         found = _merge(found, OrderBy(by="given", span=span), names, kind, scene, scope, first)
     starts = all(place.side == "first" for place in map(place_of, spec.absolutes) if place is not None)
     inside = kind == "stack" or all(belongs(item.theme, names, scene) for item in spec.absolutes)
@@ -84,7 +85,7 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
     if placed is not None and (way := directed(found, placed, names, kind, scene, first, starts)) is not None:
         return way
     if placed is not None and not (scene.lenient and found.by != "any"):
-        if found.by != "any":
+        if found.by != "any" and not (as_listed and len({*looks}) < len(names)):  # "four white ones and a red one"
             return _two_orders(span)
         if first is not None and placed.first not in (None, first):
             raise refuse("order-conflict", "the places are counted from two sides", span, "keep one of them")

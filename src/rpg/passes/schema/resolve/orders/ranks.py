@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from rpg.core.diagnostics import Span
 from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Amount, At, Noun, Places, Traits, replace
-from rpg.passes.schema.resolve.orders.among_places import all_alike, pinned, standing_there, wholes
+from rpg.passes.schema.resolve.orders.among_places import all_alike, left_alike, pinned, standing_there, wholes
 from rpg.passes.schema.resolve.orders.at_an_end import several_at_an_end
 from rpg.passes.schema.resolve.orders.by_size import BY_SIZE, by_size
 from rpg.passes.schema.resolve.orders.by_value import HIGHEST, by_value, highest
@@ -55,6 +55,7 @@ def ranked(noun: Noun, scene: Scene, scope: Scope) -> Ref:
         raise refuse("ambiguous", "this could be a block of several structures", noun.span, "name its colour or label")
     if there:
         return Ref(names=there[:1])
+    left_alike(scene, scope)
     if (found_ := _among_alike(noun, rank, scene)) is not None:
         return found_
     if rank == "top" and noun.traits.colors and (top := _top_of_alike(noun, scene.built, scene)) is not None:

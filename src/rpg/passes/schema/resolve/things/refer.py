@@ -166,7 +166,7 @@ _BOTH_WAYS = ("and", "or")
 def _part(meaning: PartOf, scene: Scene, scope: Scope) -> Ref:
     whole = refer(meaning.whole, scene, scope) if meaning.whole else None
     if meaning.part == "blocks":
-        return blocks_at(meaning, whole, scene)
+        return blocks_at(meaning, whole, scene, scope)
     if whole is None:
         raise refuse("no-referent", "it is not clear of what this is a part", meaning.span)
     built = whole.built[0] if len(whole.built) == 1 and whole.built[0].ordered else None

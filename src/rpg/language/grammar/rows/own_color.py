@@ -103,6 +103,10 @@ OWN_COLOR: tuple[Turn, ...] = (
      f"and (?:one|an?) {PATCH}|{PATCH} and (?:one|an?) {_BLOCK})$", "the colors are {1}"),
     (f"^(?:{PUT} )?(?:each|every)(?: one)?(?: of the)? {_BLOCKS}(?: {IS})? on (?:an?|some) {PATCH} {_OTHER}$",
      f"every block must be on a patch . {_NONE}"),
+    # "the other" of two
+    (f"(?:^|(?<=[:,] ))(?:and )?(?:{PUT} )?(?:each|every)(?: {_BLOCK}| one)?(?: {IS}| ends up| (?:{MUST} )?end up| "
+     f"belongs)? (?:on|onto|to) the {PATCH} (?:of|in|with) the (?:other|opposite) color$",
+     f"every block must be on a patch . {_NONE}"),
     (f"^(?:each|every) {PATCH} (?:(?:{MUST} )?(?:gets?|has|have|holds?|carry|carries|receives?|bears?)) (?:exactly )?"
      f"(?:one|an?) {_BLOCK} {_OTHER}(?: on it)?$", f"each patch gets exactly one block . {_NONE}"),
     (f"^(.*\\b{PATCH}.*?)(?: ,)? (?:but|and|so that|with) (?:no colors? (?:may |must |should )?match(?:es|ing)?|the "

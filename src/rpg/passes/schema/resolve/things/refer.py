@@ -242,7 +242,11 @@ def _described(noun: Noun, scene: Scene, scope: Scope) -> Ref:
 
 
 def _of_them(noun: Noun, scene: Scene, scope: Scope) -> Ref:
-    """ "at least two": of the blocks that were spoken of, never further ones."""
+    """ "at least two": of the blocks that were spoken of, never further ones; "two on the red mat and at least one on
+    the blue one": of those of which the first are some."""
+    last = next((m.ref for m in reversed(scene.mentions) if m.role == scope.role == "theme"), None)
+    if last is not None and last.quant is not None and last.quant.strict and 0 < last.quant.low < len(last.names):
+        return quantified(replace(last, quant=None, each=False, det=noun.det), noun)
     try:
         return _partitive(replace(noun, part_of=Pronoun(word="them", span=noun.span)), scene, scope)
     except Refusal as refusal:

@@ -16,6 +16,7 @@ _NO_BLOCK = "(?! (?:blocks?|cubes?|bricks?|box|boxes|towers?|stacks?|rows?|ones)
 _JOINT = "(?: ,| and| or| , and| , or| and there is)"
 _AN = "(?: (?:one|the one|the other|the|an?|on|either))*"
 _LISTED = f"{_AN} ({COLOR})(?: one)?{_JOINT}{_AN} ({COLOR})(?: one)?(?= |$){_NO_BLOCK}"
+_LIKED = " (?:you|we) (?:like|want|prefer|choose)"
 _EACH_TOLD = (
     f"one(?: {PATCH})? is ({COLOR})(?: ,)?(?: and)? (?:one|the other)(?: one| {PATCH})?(?: is)? ({COLOR})(?= [.!]|$)"
 )
@@ -25,8 +26,8 @@ _NAMED = tuple(
         f"({COLOR})(?: {PATCH})?{_JOINT}{_AN} ({COLOR}) {_MARK}(?= |$)",
         f"({COLOR}) {_MARK}{_JOINT}{_AN} ({COLOR}) one(?= |$)",
         f"{PATCHES}(?: are| :| ,| \\()?{_LISTED}",
-        f"{PATCH}(?: :| ,| \\()?(?: either)?(?: the)? ({COLOR})(?: one)? or(?: the)? ({COLOR})(?: one)?(?= |$)"
-        f"{_NO_BLOCK}",
+        f"{PATCH}(?:{_LIKED})?(?: :| ,| \\()?(?: either)?(?: the)? ({COLOR})(?: one)? or(?: the)? ({COLOR})"
+        f"(?: one)?(?= |$){_NO_BLOCK}",
         _EACH_TOLD,
         f"({COLOR}) {_MARK}(?= |$)",
     )
@@ -59,14 +60,16 @@ _THEM = "of (?:them|these|those|the two)"
 _CHOSEN = re.compile(
     f"(?<![^ ])(?:(?:either )?(?P<on>on |onto )?the {COLOR}(?: {PATCH})? or (?:on |onto )?the {COLOR} {PATCH}(?= |$)"
     f"|(?:one|either) (?:of (?:the |these |both )?(?:two )?{PATCHES}|{PATCH})(?= |$)(?:{_WHICH}(?= |$))?"
+    f"|whichever (?:of (?:the |these )?(?:two )?{PATCHES}|{PATCH})(?:{_LIKED})?(?= |$)"
+    f"(?:{_WHICH}(?= |$))?"
     f"|{_ON}(?:one|either)(?: {_THEM})?(?= (?:and|or|with|together|[,.;:(])|$)(?:{_WHICH}(?= |$))?"
     f"|(?:(?<=[.:,;] )|^)(?:one|either)(?: {_THEM})? (?={_DOES}))"
 )
 _OTHER = re.compile(f"(?<![^ ])the other(?: one)?(?: {_THEM})?(?: {PATCH})?(?= |$)")
 _THERE = re.compile("(?:^|.* )(?:on|onto|in|into|leave|keep|leaving|keeping|from|off|clear|empty)$")
 _SAME = re.compile(f"{_ON}(?:the same|that same|that)(?: one| {PATCH})(?= |$)(?:{_WHICH}(?= |$))?")
-_ONE = frozenset({"one", "either"})
-_BEGINS = frozenset({"one", "either", "same", "share", "or"})
+_ONE = frozenset({"one", "either", "whichever"})
+_BEGINS = frozenset({"one", "either", "whichever", "same", "share", "or"})
 """Words with which one of two patches is spoken of."""
 _GUIDES = frozenset({"not", "never", "each", "every", "any", "no", "neither", "none", "if", "unless", "other", "same",
                      "start", "first", "then", "before", "after", "initially", "beginning", "different"})  # fmt: skip

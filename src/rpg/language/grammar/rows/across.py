@@ -11,7 +11,7 @@ from rpg.language.grammar.rows.said_short import PLACE, THING
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.two_rows import WORDS_IN_ROWS
 from rpg.language.grammar.rows.two_words import TWO_WORDS
-from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, MANY, MUST, PATCH, PATCHES
+from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, LIES, MANY, MUST, PATCH, PATCHES
 
 _NEXT = (
     "(?=success\\b|the (?:task|goal|game|robot|player)\\b|goal\\b|it is\\b|now\\b|then\\b|at the end\\b|in the end\\b|"
@@ -47,6 +47,8 @@ def _in_steps(many: int) -> Turn:
     return f"^(?:(?:checklist|list|steps|plan|sequence) [.:] )?{steps}{_ORDER}$", f"first , {told} ."
 
 
+_KNOWN = f"(?:the {COLOR}(?: {CUBE}| one)?|[a-z0-9])"
+_NOW_ON = f"{LIES}(?: already| now| at the start)* on"
 _ON = "(?: \\.| ,| and| , and)"
 """How a sentence goes on, or the next one does."""
 ACROSS: tuple[Turn, ...] = (
@@ -79,6 +81,9 @@ ACROSS: tuple[Turn, ...] = (
     *ROWS_ALIKE,
     *ROWS_HAVE,
     ("\\b(in two rows) \\. (?=[^.]* in the (?:back|front|far|near|first|second) row\\b)", "{1} : "),
+    # "B on the same mat as A, which is on the red one"
+    (f"^(.*\\bon) the same {PATCH} as ({_KNOWN}) (?=[.,;] (.*\\b)?\\2 {_NOW_ON} (the {COLOR} {PATCH})\\b)", "{1} {4}"),
+    (f"^(.*\\b({_KNOWN}) {_NOW_ON} (the {COLOR} {PATCH})\\b.*\\bon) the same {PATCH} as \\2(?= [.,;!]|$)", "{1} {3}"),
     # "one mat is blue, the other is white"
     (f"^(.*\\btwo {PATCHES}) \\. {_of_two(PATCH, PATCHES)}", "{1} , one is {2} , the other is {3}"),
     (f"^(.*\\. )?{_of_two(PATCH, PATCHES)}", "{1} there are a {2} patch and a {3} patch"),

@@ -27,10 +27,17 @@ _SO_MANY = f"{MANY}(?: {COLOR})? (?:block|cube)s"
 _THERE = f"(?:{MUST}|is|are|go|goes|on|in|stands?)"
 _OTHERS = f"(?:(?:,|and|, and) {MANY} {_THERE} (?!(?:top )?of them).+)"
 
+_NAMED = f"(?:the )?(?:{COLOR}(?: {BLOCK}| one)?|{LABEL})"
+_LISTED = f"((?:the )?(?:{_SHOWN} )?{_NAMED}(?: , {_NAMED})*(?: ,)? and {_NAMED}(?: {_SHOWN})?)"
+"""Different blocks that are listed."""
+
 COUNTED: tuple[Turn, ...] = (
     (f"\\b({MANY}) and (?:no|not) more than \\1\\b", "exactly {1}"),
     (f"^(?:out of|of|from) (?:the |my )?({MANY} (?:{COLOR} )?{_BLOCKS})(?: ,)? ((?:exactly|at least|at most|only|"
      f"just) {MANY}) {_GO} ((?:on|onto|in|into) .+)$", "{2} of the {1} must be {3}"),
+    (f"^(?:out of|of|from) {_LISTED}(?: ,)? ((?:exactly |at least |at most |only |just )?{MANY})(?:(?: ,)? but not "
+     f"both)?(?: ,)? {_GO} ((?:on|onto|in|into) .+)$", "{2} of {1} must be {3}"),
+    (f"^((?:{PUT} )?)one but not both of {_LISTED} ", "{1} exactly one of {2} "),
     # some, and not all of them
     (f"^(?:out of|of|from) (?:the |my )?({MANY} (?:{COLOR} )?{_BLOCKS})(?: ,)? ({_SOME})(?: ,)? {_NOT_ALL}(?: of them)?"
      f"(?: ,)? {_GO} ({_WHERE})$", "{2} but not all of the {1} must be {3}"),

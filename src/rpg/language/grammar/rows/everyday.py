@@ -54,10 +54,11 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:in total|in all|altogether|overall)(?: ,)? there are ({MANY} (?:\\w+ )?(?:blocks|cubes))$", "there are {1}"),
     (f"^(.*?)\\b({MANY})( of them .+?) , exactly \\2 , (?:and )?(?:not|no) (?:more|fewer|less)(?: and not (?:more|"
      "fewer|less))?$", "{1} exactly {2} {3}"),
-    (f"^(.*?\\b{MANY}) ({COLOR}) ({_BLOCK}) on (the [^,]+? {_MAT})(?: ,)? and one(?: more)? on (the [^,]+? {_MAT})$",
-     "{1} {2} {3} on {4} and one {2} block on {5}"),
-    (f"^(.*?\\b{MANY}) ({COLOR}) ({_BLOCK}) on (the [^,]+? {_MAT})(?: ,)? and ({MANY})(?: more)? on (the [^,]+? "
-     f"{_MAT})$", "{1} {2} {3} on {4} and {5} {2} {3} on {6}"),
+    # so many more of them on each of the mats behind
+    *((f"\\b({MANY}|an?) ({COLOR}) ({_BLOCK}) on (the (?:{COLOR} |left |right )?{_MAT})(?: ,| and| , and) "
+       f"{many}(?: more)? on the ((?:{COLOR}|left|right)) (?:one|{_MAT})(?= ,| and|$)",
+       f"{{1}} {{2}} {{3}} on {{4}} and {said} on the {{{mark}}} patch")
+      for many, said, mark in (("one", "one {2} block", 5), (f"({MANY})", "{5} {2} {3}", 6))),
     (f"^{_PUT} all ({MANY}) ({COLOR}) {_BLOCK} on the (?:mats|patches) , ({MANY}) on the ({COLOR})(?: one| mat)? and "
      f"(.+?) on the ({COLOR})(?: one| mat)?$",
      "of the {1} {2} blocks , {3} must be on the {4} mat and {5} on the {6} mat"),

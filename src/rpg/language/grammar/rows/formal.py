@@ -18,6 +18,7 @@ from rpg.language.grammar.rows.begun import BEGUN, BEGUN_AT_ONCE
 from rpg.language.grammar.rows.beside_it import BESIDE_IT, BESIDE_IT_AT_ONCE
 from rpg.language.grammar.rows.besides import BESIDES, BESIDES_AT_ONCE
 from rpg.language.grammar.rows.borne_first import BORNE_FIRST
+from rpg.language.grammar.rows.both_bounds import BOTH_BOUNDS
 from rpg.language.grammar.rows.but_one import BUT_ONE, BUT_ONE_AT_ONCE, EXCEPTED_ACROSS
 from rpg.language.grammar.rows.by_turns import BY_TURNS_AT_ONCE
 from rpg.language.grammar.rows.cleared_parts import CLEARED_PARTS
@@ -159,6 +160,7 @@ _OF_ALL = (
     *AT_THE_END,
     *BECOME_AT_ONCE,
     *IN_STEPS,
+    *BOTH_BOUNDS,
     *COUNTED,
     *SHARED_OUT,
     *GAPPED_AT_ONCE,

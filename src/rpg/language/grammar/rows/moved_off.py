@@ -1,6 +1,6 @@
-"""Blocks that lie somewhere and of which some, or all, are moved elsewhere: "move two of the three blocks on the "
-"red mat
-to the blue one", "off the red mat and onto the blue one", as rows that tell apart where they are and where they go."""
+"""Blocks that lie somewhere and of which some, or all, are moved elsewhere: "move two of the three blocks on the red
+mat to the blue one", "off the red mat and onto the blue one", as rows that tell apart where they are and where they
+go; and of which some are just taken off: "three blocks are on the mat. Take all but one off"."""
 
 from __future__ import annotations
 
@@ -26,11 +26,29 @@ _TO = (
 )
 _END = "(?=$| ,| (?:at|in) the end| and (?:leave|keep|do not) | without )"
 
+_NO_TOWER = "(?!.*\\b(?:tower|stack|pile|heap|row|line)s?\\b)"
+_THERE = f"^{_NO_TOWER}(.*\\b(?:on|in) (the (?:{COLOR} )?{PATCH}) [.;,])(?: (?:please|now|then|so))*"
+_TAKE = "(?:take|get|move|remove|lift|pull|push|pick)"
+_OFF = "(?:off|away|out)"
+_OF_IT = f"(?: (?:of |from )?(?:it|there|the (?:{COLOR} )?{PATCH}))?"
+_THEM_ALL = f"(?:all(?: of them)?|them all|everything|all the {BLOCK}s)"
+_BUT_SO_MANY = f"(?:but|except|except for|save)(?: for)? ({MANY})(?: of them)?"
+_CLOSED = "(?= [.!]|$)"
+
 OFF_ONTO: tuple[Turn, ...] = (
     (f"^(?=.*? off(?: of)? the {COLOR} {PATCH}(?: ,)?(?: and)? (?:over )?(?:onto|on|to|into) the (?P<hue>{COLOR}) "
      f"one\\b)"
      f"(?!.*\\b(?P=hue) (?!one\\b|{PATCH}\\b))(.*?) off(?: of)? (the {COLOR} ({PATCH}))(?: ,)?(?: and)? ((?:over )?"
      f"(?:onto|on|to|into) the {COLOR}) one\\b", "{2} from {3} {5} {4}"),
+    # off the mat that was spoken of last
+    (f"{_THERE} {_TAKE} ({MANY})(?: of them| {BLOCK}s?)? {_OFF}{_OF_IT}{_CLOSED}",
+     "{1} take {3} of them off {2}"),
+    *((f"{_THERE} {_TAKE} {all_but}{_CLOSED}", "{1} exactly {3} of them must be on {2}")
+      for all_but in (f"{_THEM_ALL} {_BUT_SO_MANY} (?:{_OFF}|from){_OF_IT}",
+                      f"{_THEM_ALL} {_OFF}{_OF_IT}(?: ,)? {_BUT_SO_MANY}")),
+    (f"{_THERE} {_TAKE} {_OFF} ((?:the|all the|both) [^.,]+?)(?= and leave| [.!]|$)", "{1} take {3} off {2}"),
+    (f"(?<= off )(the (?:{COLOR} )?{PATCH})(?: ,)? and leave ((?:the|all the|both) [^.,]+?) "
+     f"(?:inside|in it|in there|in){_CLOSED}", "{1} and leave {2} on {1}"),
 )  # fmt: skip
 """Over a whole text: "onto the blue one" is onto the blue mat where nothing else is called blue."""
 MOVED_OFF_AT_ONCE: tuple[Turn, ...] = (

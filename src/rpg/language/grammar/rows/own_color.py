@@ -24,8 +24,7 @@ _OTHER = ("(?:(?:of|in|with|that has) (?:(?:another|the wrong|some other) color(
           "(?:other|different)(?: color)? (?:than|from) its(?: own)?(?: color)?)|(?:that|which) (?:does not match(?: "
           "its(?: own)? color| it)?|is not (?:of |in )?its(?: own)? color|(?:has|is of) (?:another|a different) color "
           "(?:than|from) it(?:s own)?|does not have (?:its(?: own)?|the same) color(?: as it)?)|not of its(?: "
-          "own)? color)"
-          )  # fmt: skip
+          "own)? color|(?:of|in|with) the (?:other|opposite) color)")  # fmt: skip
 _OWN = ("(?:(?:of|in|with|that has|which has|having) (?:its(?: own)?|their own|the same) color|(?:that|which) "
         "(?:matches "
         "it|matches its(?: own)? color|is of its(?: own)? color))")  # fmt: skip
@@ -103,8 +102,12 @@ OWN_COLOR: tuple[Turn, ...] = (
      f"and (?:one|an?) {PATCH}|{PATCH} and (?:one|an?) {_BLOCK})$", "the colors are {1}"),
     (f"^(?:{PUT} )?(?:each|every)(?: one)?(?: of the)? {_BLOCKS}(?: {IS})? on (?:an?|some) {PATCH} {_OTHER}$",
      f"every block must be on a patch . {_NONE}"),
+    # "the other" of two
+    (f"(?:^|(?<=[:,] ))(?:and )?(?:{PUT} )?(?:each|every)(?: {_BLOCK}| one)?(?: {IS}| ends up| (?:{MUST} )?end up| "
+     f"belongs)? (?:on|onto|to) the {PATCH} (?:of|in|with) the (?:other|opposite) color$",
+     f"every block must be on a patch . {_NONE}"),
     (f"^(?:each|every) {PATCH} (?:(?:{MUST} )?(?:gets?|has|have|holds?|carry|carries|receives?|bears?)) (?:exactly )?"
-     f"(?:one|an?) {_BLOCK} {_OTHER}(?: on it)?$", f"each patch gets exactly one block . {_NONE}"),
+     f"(?:one|an?|the) {_BLOCK} {_OTHER}(?: on it)?$", f"each patch gets exactly one block . {_NONE}"),
     (f"^(.*\\b{PATCH}.*?)(?: ,)? (?:but|and|so that|with) (?:no colors? (?:may |must |should )?match(?:es|ing)?|the "
      "colors (?:may|must|should) not match|no matching colors)$", f"{{1}} . {_NONE}"),
 )  # fmt: skip

@@ -103,7 +103,8 @@ PATCHES_AT_ONCE: tuple[Turn, ...] = (
        f"{last} of the {{2}} must be on each of {each} . the {{2}} must be on {each}")
       for marks, each, last in ((f"((?:(?:the|both|all)(?: of)?(?: the)? )?((?:{MANY} )?{PATCHES}))", "the {4}", "{5}"),
                                 (f"(the .+ and .+?(?: {PATCH}| {PATCHES})?)", "{3}", "{4}"))),
-    (f"^({MANY} (?:{COLOR} )?{BLOCK}s) , ({_SO}{MANY} {_ON_EACH})$", "there are {1} . put {2}"),
+    (f"^(?:{_DEAL} )?({MANY} (?:{COLOR} )?{BLOCK}s) , ({_SO}{MANY} (?:{_ON_EACH}|(?:on|onto) each of .+))$",
+     "there are {1} . put {2}"),
     # different ones
     *((f"^({lead}(?:[^.,]|, (?:and )?(?:an?|the) )+?){verb}(?: each)? (?:on|onto) (?:an?|one|some) {PATCH}(?: each)?"
        f"(?: ,)? but (?:not|never)(?: both)? (?:on|onto) the same(?: one| {PATCH})?$", said)

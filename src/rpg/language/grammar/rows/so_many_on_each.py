@@ -7,7 +7,7 @@ import re
 
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import text_of
-from rpg.language.grammar.rows.turned import Turns, turned
+from rpg.language.grammar.rows.turned import Turns, all_of_it, turned
 from rpg.language.grammar.rows.vocabulary import COLOR, MANY, MUST, PATCH, PATCHES, number
 from rpg.language.tokens import Token
 
@@ -38,6 +38,22 @@ _DEALT = (
     ),
 )
 _LOTS = re.compile(_LOT)
+_ITEM = f"(?:the )?(?:(?:{COLOR})(?: (?:block|cube|one))?|[a-z0-9])"
+_LIST = (
+    f"(?P<listed>(?:the )?(?:(?:blocks|cubes|letters) )?{_ITEM}(?: , {_ITEM})*(?: ,)? and {_ITEM}"
+    "(?: (?:blocks?|cubes?))?)"
+)
+_SO_MANY = f"(?:exactly |just |only )?(?P<some>{MANY})"
+_REST = f"the (?:others?|other ones?|rest)(?: {MANY})?(?: of them)?"
+_OF_THE_LISTED = tuple(
+    re.compile(
+        f"{_BEGIN}(?:{_DEAL} )?{begun}(?: {_GO})? (?:on|onto|in) the (?P<there>{COLOR}) {PATCH}"
+        f"(?:{_NEXT}| , while| while| but| , but| \\.)(?: and| but)? {_REST}(?: {_GO})?(?: (?:put|placed))? "
+        f"(?:on|onto|in) the (?P<else>{COLOR}) (?:one|{PATCH}){_END}"
+    )
+    for begun in (f"{_SO_MANY} of {_LIST}", f"(?:of|out of|from) {_LIST}(?: ,)? {_SO_MANY}")
+)
+"""Different blocks, of which so many are on one patch and the others on another."""
 _OUT_OF = frozenset({"of", ",", ":", "(", "that"})
 
 
@@ -47,10 +63,25 @@ def so_many_on_each(tokens: list[Token]) -> list[Token]:
     if words.isdisjoint(lexicon.PATCH) or words.isdisjoint(_OUT_OF):
         return tokens
     text = text_of(tokens)
+    for listed in filter(None, (pattern.search(text) for pattern in _OF_THE_LISTED)):
+        if (told := _of_the_listed(listed)) is not None:
+            begin, end = listed.span("listed")
+            parts = (text[listed.start() : begin], listed["listed"], text[end : listed.end()])
+            return turned(tokens, Turns([("{}({}){}".format(*map(re.escape, parts)), told)]), all_of_it)
     for pattern in _DEALT:
         if (dealt := pattern.search(text)) is not None and (told := _told(dealt.groupdict())) is not None:
             return turned(tokens, Turns([(f"^{re.escape(dealt.group())}$", told)]))
     return tokens
+
+
+def _of_the_listed(listed: re.Match[str]) -> str | None:
+    """How many of those that are listed go on each of the two patches."""
+    some, of_all = number(listed["some"]), len(re.split(" , and | , | and ", listed["listed"]))
+    if not 0 < some < of_all or listed["there"] == listed["else"]:
+        return None
+    lots = ((some, listed["there"]), (of_all - some, listed["else"]))
+    named = "the blocks {1}" if re.match(r"[a-z0-9]\b", listed["listed"]) else "{1}"  # letters by themselves
+    return " . ".join(f"exactly {many} of {named} must be on the {color} patch" for many, color in lots)
 
 
 def _told(dealt: dict[str, str]) -> str | None:

@@ -73,4 +73,6 @@ def forbids(goal: g.Goal) -> bool:
     """ "no two may touch", "at most one may be on the patch": what limits the end, so that "may" is no mere leave."""
     if isinstance(goal, g.All):
         return all(forbids(x) for x in goal.goals)
-    return isinstance(goal, g.Not | r.Clear | r.Empty) or (isinstance(goal, g.Count) and goal.at_least == 0)
+    if isinstance(goal, g.Count):  # "at least one but at most two may be there"
+        return goal.at_least == 0 or (goal.at_most is not None and goal.at_least < goal.at_most)
+    return isinstance(goal, g.Not | r.Clear | r.Empty)

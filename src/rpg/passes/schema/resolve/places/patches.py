@@ -223,7 +223,8 @@ def _known(theme: Ref, scene: Scene) -> bool:
     """Whether so many of blocks are meant that are known: those there are, those spoken of, "one of A, B and C"."""
     if all(n in scene.told or scene.things[n].declared for n in theme.names):
         return True
-    return theme.quant is not None and theme.quant.high is not None and len(theme.names) > theme.quant.high
+    bound = theme.quant and (theme.quant.low if theme.quant.high is None else theme.quant.high)
+    return bound is not None and len(theme.names) > bound
 
 
 def each_its_own(theme: Ref, mark: Ref, loc: Loc, scene: Scene) -> list[tuple[Ref, Ref]] | None:
@@ -365,7 +366,8 @@ def _each_of_so_many(mark: Meaning | None, scene: Scene) -> int:
     whole = mark.part_of or mark if isinstance(mark, Noun) and mark.det == "each" else None
     if _points(mark) or not isinstance(whole, Noun) or whole.head != "patch":
         return len(there) if _points(mark) else 0
-    counted = whole.amount.low if whole.amount is not None and not there else 0
+    named = 0 if whole.traits.either else len(whole.traits.colors)
+    counted = named if named > 1 else whole.amount.low if whole.amount is not None and not there else 0
     return counted or len(matching(whole.traits, scene, True))
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from rpg.language.later import later
 from rpg.language.meaning import Amount, Noun, Pronoun, Traits, replace
+from rpg.passes.schema.resolve.things.listing import quantified
 from rpg.passes.schema.resolve.things.things import matching
 from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, refuse
 
@@ -21,6 +22,14 @@ def elliptical(noun: Noun, scene: Scene, scope: Scope) -> bool:
     """ "at least two", "exactly one", "two" without a noun."""
     bare = noun.head == "any" and noun.traits == Traits() and noun.det in ("bare", "some") and not scope.like_patch
     return bare and noun.amount is not None and bool(scene.blocks())
+
+
+def some_more(noun: Noun, scene: Scene, scope: Scope) -> Ref | None:
+    """ "Two of the four on the red mat and at least one on the blue one": of those of which the first are some."""
+    last = next((m.ref for m in reversed(scene.mentions) if m.role == scope.role == "theme"), None)
+    if last is None or last.quant is None or not last.quant.strict or not 0 < last.quant.low < len(last.names):
+        return None
+    return quantified(changed(last, quant=None, each=False, det=noun.det), noun)
 
 
 def not_of_a_structure(noun: Noun, scene: Scene) -> None:

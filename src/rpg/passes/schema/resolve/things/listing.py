@@ -177,3 +177,26 @@ def _next_of_its_look(noun: Noun, scene: Scene) -> bool:
     inside = {name for built in scene.built for name in built.members}
     free = all(not thing.declared and thing.name not in inside for thing in there)
     return len(there) == int(noun.traits.rank or 0) - 1 > 0 and free
+
+
+def check_unmixed(meaning: Coord) -> None:
+    """Refuse "red and blue or green", where nothing says which belong together."""
+    for item in meaning.items:
+        looks = item.traits if isinstance(item, Noun) and item.det == "bare" else Traits()
+        other_way = len(looks.colors) > 1 and looks.either is (meaning.op == "and") and meaning.op in _BOTH_WAYS
+        at_once = meaning.span[0] == meaning.items[0].span[0]  # with no "either" in front
+        if other_way or (len(looks.labels) > 1 and meaning.op == "or" and at_once):
+            raise refuse("ambiguous", "it is not clear what 'and' joins here, and what 'or'", meaning.span,
+                         "say 'either ... or ...', or use two sentences")  # fmt: skip
+
+
+_BOTH_WAYS = ("and", "or")
+
+
+def all_such(item: Meaning) -> bool:
+    return isinstance(item, Noun) and item.head == "any" and item.det == "all" and item.amount is None
+
+
+def all_colored(item: Meaning) -> bool:
+    """ "All the red ones (and all the blue ones)": told in the same way, so that neither describes the other."""
+    return isinstance(item, Noun) and item.traits == Traits(colors=item.traits.colors) and bool(item.traits.colors)

@@ -11,10 +11,28 @@ from rpg.language.meaning import Amount, Coord, Meaning, Noun, PartOf, Pronoun, 
 from rpg.passes.schema.resolve.clauses.alls import note_all
 from rpg.passes.schema.resolve.orders.by_size import BY_SIZE
 from rpg.passes.schema.resolve.structures.towers_apart import one_of_them
-from rpg.passes.schema.resolve.things.counting import check_both, counted_among, denied, elliptical, not_of_a_structure
+from rpg.passes.schema.resolve.things.counting import (
+    check_both,
+    counted_among,
+    denied,
+    elliptical,
+    not_of_a_structure,
+    some_more,
+)
 from rpg.passes.schema.resolve.things.excepted import besides, excepted, none_but
 from rpg.passes.schema.resolve.things.extras import extras
-from rpg.passes.schema.resolve.things.listing import bounded, fewer_than, listed, lot, one_more, quantified, repeats
+from rpg.passes.schema.resolve.things.listing import (
+    all_colored,
+    all_such,
+    bounded,
+    check_unmixed,
+    fewer_than,
+    listed,
+    lot,
+    one_more,
+    quantified,
+    repeats,
+)
 from rpg.passes.schema.resolve.things.pronouns import PAIR, others, pronoun
 from rpg.passes.schema.resolve.things.second_patch import as_those, the_only_patch
 from rpg.passes.schema.resolve.things.select import select
@@ -80,15 +98,6 @@ def refer(meaning: Meaning, scene: Scene, scope: Scope) -> Ref:
 _KNOWN = ("the", "each", "all", "any", "both")
 
 
-def _all_such(item: Meaning) -> bool:
-    return isinstance(item, Noun) and item.head == "any" and item.det == "all" and item.amount is None
-
-
-def _colored(item: Meaning) -> bool:
-    """ "All the red ones (and all the blue ones)": told in the same way, so that neither describes the other."""
-    return isinstance(item, Noun) and item.traits == Traits(colors=item.traits.colors) and bool(item.traits.colors)
-
-
 def _coord(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
     if meaning.op == "except":
         return excepted(meaning, scene, scope)
@@ -105,7 +114,7 @@ def _coord(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
                      "say 'and' between further blocks, or leave the number out")  # fmt: skip
     if counted_again(meaning.items):
         raise refuse("misplaced", "these numbers are told behind the list", meaning.span, "say them in the list")
-    _unmixed(meaning)
+    check_unmixed(meaning)
     parts: list[Ref] = []
     seen: list[Traits] = []
     last = meaning.items[-1]
@@ -118,7 +127,7 @@ def _coord(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
     for item in bounded(meaning):
         if isinstance(item, Noun) and repeats(item, seen, scope.role == "member"):
             item = replace(item, det="another", amount=item.amount or Amount(1, 1))
-        if parts and _all_such(item) and not all(_all_such(x) and _colored(x) for x in meaning.items):
+        if parts and all_such(item) and not all(all_such(x) and all_colored(x) for x in meaning.items):
             raise refuse("misplaced", "this could describe the blocks before it", item.span, "say it in front of them")
         if isinstance(item, Noun):
             seen.append(item.traits)
@@ -147,20 +156,6 @@ def _coord(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
         span=meaning.span,
         listed=single,
     )
-
-
-def _unmixed(meaning: Coord) -> None:
-    """Refuse "red and blue or green", where nothing says which belong together."""
-    for item in meaning.items:
-        looks = item.traits if isinstance(item, Noun) and item.det == "bare" else Traits()
-        other_way = len(looks.colors) > 1 and looks.either is (meaning.op == "and") and meaning.op in _BOTH_WAYS
-        at_once = meaning.span[0] == meaning.items[0].span[0]  # with no "either" in front
-        if other_way or (len(looks.labels) > 1 and meaning.op == "or" and at_once):
-            raise refuse("ambiguous", "it is not clear what 'and' joins here, and what 'or'", meaning.span,
-                         "say 'either ... or ...', or use two sentences")  # fmt: skip
-
-
-_BOTH_WAYS = ("and", "or")
 
 
 def _part(meaning: PartOf, scene: Scene, scope: Scope) -> Ref:
@@ -243,6 +238,8 @@ def _described(noun: Noun, scene: Scene, scope: Scope) -> Ref:
 
 def _of_them(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     """ "at least two": of the blocks that were spoken of, never further ones."""
+    if (more := some_more(noun, scene, scope)) is not None:
+        return more
     try:
         return _partitive(replace(noun, part_of=Pronoun(word="them", span=noun.span)), scene, scope)
     except Refusal as refusal:

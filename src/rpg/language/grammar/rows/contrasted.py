@@ -32,6 +32,8 @@ CONTRASTED: tuple[Turn, ...] = (
     # what only looks denied
     ("\\bnowhere but (on|in|at)\\b", "{1}"),
     ("\\bkeep ([^,]+?) out of (the middle|the center|the left half|the right half)\\b", "{1} must not be in {2}"),
+    ("\\bthat (?:does|do) not touch any other(?: (?:block|cube|one))?(?= and| ,|$)", "that touches no other block"),
+    ("\\b(blocks|cubes|ones) that touch(?= and\\b| ,|$)", "{1} that touch each other"),
     # left out
     ("^(.+?) (is|stands|lies) (left|right|in front|behind|to the left|to the right) of (\\S+) , (\\S+) of (\\S+) and "
      "(\\S+) of (\\S+)$", "{1} {2} {3} of {4} , {5} {2} {3} of {6} and {7} {2} {3} of {8}"),

@@ -28,6 +28,9 @@ CONTRASTS: tuple[Turn, ...] = (
      "{1} {2} {3} {4} . {5} must not be {3} {4}"),
     (f"^(.*?(?:one|some|any|two|three) of .+?) ({MUST} be|has to be|have to be|{MUST} lie|goes|go) (on [^,]+?)(?: ,)? "
      f"but not (the {COLOR}(?: one| block| cube)?)$", "{1} {2} {3} . {4} must not be {3}"),
+    (f"^((?:nothing|no (?:other )?{CUBE}) (?:{MUST} |may |can )?(?:touch|touches|be) [^,]+?) , (?:but|and|while) "
+     "((?:the|both|all) [^,]*?(?:must|should|touch|touches|are|stand|go)\\b(?!.*\\b(?:it|them|they|that|which)\\b).+)$",
+     "{1} . {2}"),
     # who is none of them
     ("^(.+?) except (?:for )?(the .+?) , (?:they|it|which|these) (?:stay|remain|lie|are|is|stays|remains|lies)(?: "
      "lying)? "
@@ -71,6 +74,9 @@ CONTRASTS: tuple[Turn, ...] = (
 """What is looked for, and what is said instead; in every sentence."""
 
 CONTRASTS_ACROSS: tuple[Turn, ...] = (
+    (f"^({THING}) (?:stands|is|lies|stays|{MUST} stand) (?:alone|by itself|on its own)(?: [,.;])?(?: and| but| while)? "
+     f"((?:all |both |the )[^.,;]+? (?:{MUST} )?(?:stand|are|be|lie|stay) together)(?= \\.|$)",
+     "{2} . {1} must be apart from them"),
     (f"^(.*\\b(?:stack|tower|pile|on)\\b.*?) \\. (?:but )?(?:leave|keep) ({THING}) out(?: of (?:it|this|that|the "
      "(?:stack|tower)))"
      "(?= \\.|$)", "{1} . {2} must not be in the stack"),

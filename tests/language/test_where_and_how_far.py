@@ -1,4 +1,4 @@
-"""Quarters and halves of the table, anywhere but somewhere, as far from one thing as from another, touched by nothing."""
+"""Quarters and halves of the table, anywhere but there, as far from one thing as from another, touched by nothing."""
 
 from __future__ import annotations
 

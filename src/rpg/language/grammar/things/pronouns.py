@@ -95,9 +95,14 @@ def pronoun(p: Parser, i: int) -> Results[Meaning]:
                    "all")):  # fmt: skip
         if phrase == "the other" and p.number(j) is not None:
             continue  # "the other four"
-        yield Pronoun(word=phrase, span=p.span(i, j), cost=int(phrase in ("none of them", "either of them"))), j
+        begins = phrase == "another" and p.follows(i, _AND) and lexicon.STRUCTURE.keys().isdisjoint(p.words[:i])
+        if begins:  # "a red block on A and another on B"; of a tower it is another tower
+            yield Noun(head="any", det="another", amount=Amount(1, 1), span=p.span(i, j)), j
+        cost = int(begins or phrase in ("none of them", "either of them"))
+        yield Pronoun(word=phrase, span=p.span(i, j), cost=cost), j
 
 
+_AND = frozenset({",", "and", "while", "but", ";"})
 _ALL_THAT = tuple(
     f"{all_}{stuff}" for all_ in ("the ", "all the ", "all this ", "this ", "that ", "all that ", "your ", "my ")
     for stuff in ("junk", "stuff", "rubbish", "clutter", "trash", "garbage")

@@ -9,7 +9,6 @@ from rpg.language.grammar.clauses.again import meant_again, said_too
 from rpg.language.grammar.clauses.covered import named_last
 from rpg.language.grammar.clauses.for_whom import behind_us
 from rpg.language.grammar.clauses.kept_stacked import kept_stacked
-from rpg.language.grammar.clauses.links import RATHER
 from rpg.language.grammar.clauses.manners import degrees_of
 from rpg.language.grammar.clauses.particles import WHITHER, across, added
 from rpg.language.grammar.clauses.pointing import direction
@@ -18,7 +17,7 @@ from rpg.language.grammar.clauses.remade import of_what_is_there, put_down, read
 from rpg.language.grammar.clauses.separated import KEEPING, kept_separate, separated
 from rpg.language.grammar.clauses.spelt import spelling, word_named
 from rpg.language.grammar.clauses.them_listed import them_listed
-from rpg.language.grammar.clauses.turned import REST, not_turned
+from rpg.language.grammar.clauses.told_from import elsewhere, same_as, several
 from rpg.language.grammar.clauses.verb_again import in_line_already
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.its_place import in_its_place
@@ -254,48 +253,6 @@ _SO_IS = {
 """What says the same of another one, by whether that is denied."""
 
 
-_ELSEWHERE = ("elsewhere", "somewhere else")
-_MUST_BE = ("should be", "must be", "has to be", "have to be", "goes", "go", "stays", "stay", "belongs", "belong", "is",
-            "are", "remains", "remain", "should stay", "must stay", "should go", "must go", "lie")  # fmt: skip
-
-
-def _elsewhere(p: Parser, i: int, before: Clause) -> Results[Meaning]:
-    """ "..., not the blue block", "... and no blue one", "..., the others elsewhere": the place before, denied.
-
-    Behind a place on, or beside, a block it is this block that another is told from: "red on green, not (on) blue".
-    """
-    place = before.adjuncts[0] if len(before.adjuncts) == 1 and before.verb in ("be", "place") else None
-    yield from not_turned(p, i, before)
-    if not isinstance(place, Loc | In) or place.negated or before.negated:
-        return
-    mark = place.landmark if isinstance(place, Loc) else None
-    colored = isinstance(mark, Noun) and mark.head == "patch" and bool(mark.traits.colors)
-    denied = p.one(i, "not") or p.any_of(i, RATHER)
-    for theme, j in noun_phrase(p, denied or i):
-        told = isinstance(theme, Noun | Coord) or (isinstance(theme, Pronoun) and theme.word in REST)
-        ends = p.any_of(p.any_of(j, _MUST_BE) or j, _ELSEWHERE) if not denied else 0
-        flat = isinstance(place, In) or (isinstance(mark, Noun) and mark.head == "patch")
-        one = flat and isinstance(theme, Noun) and bool(theme.traits.colors)  # "on the mat, but not the white one"
-        block = isinstance(theme, Noun) and (theme.head == "block" or ((theme.det == "bare" or one) and not colored))
-        block = block or (one and _several(before.theme))  # "(A, B and C on the white mat), but not the red one"
-        block = block or (flat and isinstance(theme, Pronoun) and theme.word in REST)
-        ended = j >= p.end or p.words[j] in (",", ";")
-        none = getattr(theme, "det", "") == "no" or (getattr(theme, "op", "") == "nor" and not colored)
-        if not denied and ended and flat and none and getattr(theme, "head", "") != "patch":
-            yield replace(before, theme=theme, span=p.span(i, j), cost=0), j
-        only = getattr(before.theme, "op", "") == "only" and isinstance(theme, Noun)
-        block = block or only or (getattr(place, "rel", "") == "touching" and isinstance(theme, Noun))
-        block = block or getattr(theme, "word", "") == "each other"
-        if denied and block and ended and isinstance(place, Loc) and _blocks(mark) and not only:
-            yield replace(before, theme=_same(before), adjuncts=(replace(place, landmark=theme),), negated=True,
-                          span=p.span(i, j), cost=0), j  # fmt: skip
-            continue
-        if denied and block and ended:
-            ends = j
-        if told and ends:
-            yield replace(before, theme=theme, negated=True, span=p.span(i, ends), cost=0), ends
-
-
 _NOT_TOUCH = ("not touch", "never touch", "not be touching", "must not touch", "should not touch", "shall not touch",
               "does not touch", "do not touch", "not be in contact with")  # fmt: skip
 
@@ -304,25 +261,12 @@ def _untouching(p: Parser, i: int, before: Clause) -> Results[Clause]:
     """ "The blue block should stand next to the red one but not touch it": no order of its own."""
     start = p.any_of(i, _NOT_TOUCH) if before.verb == "be" and before.mode == "goal" and before.theme else 0
     found = list(simple(p, start)) if start else []
-    if start and _several(before.theme) and (start >= p.end or p.stands(start, (",", ";"))):
+    if start and several(before.theme) and (start >= p.end or p.stands(start, (",", ";"))):
         found.append((Pronoun(word="each other", span=p.span(i, start)), start))
     for mark, j in found:
         place = Loc(rel="touching", landmark=mark, span=p.span(i, j))
-        told = replace(before, theme=_same(before), adjuncts=(place,), negated=True, lemma="")
+        told = replace(before, theme=same_as(before), adjuncts=(place,), negated=True, lemma="")
         yield replace(told, span=p.span(i, j), cost=0), j
-
-
-def _several(theme: Meaning | None) -> bool:
-    """Blocks that are named one by one."""
-    return isinstance(theme, Coord) or (isinstance(theme, Noun) and len(theme.traits.colors) > 1)
-
-
-def _blocks(mark: Meaning | None) -> bool:
-    return isinstance(mark, Coord) or (isinstance(mark, Noun) and mark.head != "patch")
-
-
-def _same(before: Clause) -> Meaning | None:
-    return Pronoun(word="same", span=before.theme.span) if before.theme is not None else None
 
 
 def _told_elsewhere(found: tuple[Meaning, ...], before: Clause) -> bool:
@@ -358,7 +302,7 @@ def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
     for theme, j in noun_phrase(p, so) if so else ():
         if isinstance(theme, Noun | Coord):
             yield replace(before, theme=theme, span=p.span(i, j), cost=1), p.opt(j, "be")
-    yield from (*_elsewhere(p, i, before), *_next_one(p, i, before), *_untouching(p, i, before))
+    yield from (*elsewhere(p, i, before), *_next_one(p, i, before), *_untouching(p, i, before))
     for word, end in word_named(p, i) if before.verb == "spell" and isinstance(before.theme, Structure) else ():
         if word.letter == getattr(before.theme, "letter", ""):  # "SUN on the red mat and SUN on the blue one"
             word = replace(word, det="a")
@@ -394,7 +338,7 @@ def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
                 continue  # "red on blue and, left of this stack, green on yellow": the same
             if found and (isinstance(found[0], Loc | In) or (isinstance(found[0], Manner) and found[0].kind == "stay")):
                 verb = "be" if before.verb in ("build", "arrange", "stack") else before.verb
-                yield replace(before, verb=verb, theme=_same(before), adjuncts=found, span=p.span(i, k), cost=1), k
+                yield replace(before, verb=verb, theme=same_as(before), adjuncts=found, span=p.span(i, k), cost=1), k
             if found and isinstance(found[0], Into) and p.words[i - 1] == "or":  # "stacked, or in a row"
                 verb = "arrange" if before.verb in ("stack", "be") else before.verb
-                yield replace(before, verb=verb, theme=_same(before), adjuncts=found, span=p.span(i, k)), k
+                yield replace(before, verb=verb, theme=same_as(before), adjuncts=found, span=p.span(i, k)), k

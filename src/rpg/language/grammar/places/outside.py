@@ -19,6 +19,8 @@ else:
 _OUT = (
     "outside of", "outside", "out of", "beyond the edge of", "clear of", "anywhere outside", "anywhere outside of",
     "anywhere but on", "anywhere except on", "somewhere outside", "somewhere outside of", "not inside", "away off",
+    *(f"{where} {but}{on}" for where in ("anywhere", "somewhere") for on in ("", " in", " at", " on")
+      for but in ("but", "except", "except for", "other than")),
 )  # fmt: skip
 _NOT_ON = tuple(
     f"{where} {no}{on}"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.corners import told_corners
-from rpg.language.meaning import In
+from rpg.language.meaning import Coord, In
 
 _NEAR = frozenset({"near", "front", "nearer", "bottom", "lower", "closest", "nearest"})
 _FAR = frozenset({"far", "back", "rear", "farther", "top", "upper", "farthest", "furthest"})
@@ -118,6 +118,25 @@ _AROUND = ("around the", "round the", "all along the")
 """What stands ahead of edges, and of no other part."""
 
 
+@rule
+def quarter(p: Parser, i: int) -> Results[Coord]:
+    """ "In the far left quarter of the table": in both of these halves; what is not there may still be in one."""
+    j = _lead(p, i)
+    sides = [_half(word) for word in p.words[j : j + 2]] if p.rarely(_QUARTERS) else []
+    k = p.one(j + 2, _QUARTERS) if j > i and len(sides) == 2 else 0
+    if not k or len(_ACROSS & {*sides}) != 1 or None in sides or not p.all.isdisjoint(_DENYING):
+        return
+    end = of_table(p, k) or k
+    halves = tuple(In(region=f"{side}_half", span=p.span(i, end)) for side in sides)
+    yield Coord(op="and", items=halves, span=p.span(i, end)), end
+
+
+_QUARTERS = frozenset({"quarter", "quadrant"})
+_ACROSS = frozenset({"left", "right"})
+_DENYING = frozenset({"not", "no", "never", "neither", "nor", "nothing", "none", "without", "outside", "out", "except",
+                      "but", "anywhere"})  # fmt: skip
+
+
 def _of_corners(p: Parser, i: int, k: int, table: int) -> str:
     """ "In each corner" deals out as many to every one, "in the four corners" all of them to the corners."""
     one_by_one = not _ONE_BY_ONE.isdisjoint(p.words[i:k])
@@ -143,6 +162,8 @@ def _names(p: Parser, j: int) -> list[tuple[str, int, bool]]:
         if e := p.one(k, "side"):
             again = word in _NEAR | _FAR and not p.all.isdisjoint(_TABLE) and not p.stands(e, ("of",))
             found.append((f"{side}_half", e, again))  # "on the near side of the table, ... on the far side"
+        if e := p.one(k, ("part", "portion")):
+            found.append((f"{side}_half", e, not p.all.isdisjoint(_TABLE) and not p.stands(e, ("of",))))
         if e := p.one(k, "edge"):
             found.append((f"{side}_edge", e, True))
         if e := p.one(k, "end"):

@@ -17,10 +17,10 @@ from rpg.language.grammar.places.offsets import centred_on
 from rpg.language.grammar.places.other_side import other_side
 from rpg.language.grammar.places.outside import neither, outside
 from rpg.language.grammar.places.prepositions import CLOSE, DIRECT, relation
-from rpg.language.grammar.places.regions import region
+from rpg.language.grammar.places.regions import quarter, region
 from rpg.language.grammar.places.side_lengths import side_length
 from rpg.language.grammar.places.sides import OVER
-from rpg.language.grammar.places.two_relations import either_relation, not_but
+from rpg.language.grammar.places.two_relations import and_from, either_relation, not_but
 from rpg.language.grammar.places.where_was import where_was
 from rpg.language.grammar.places.whose import whose
 from rpg.language.grammar.things.nouns import noun_phrase
@@ -64,6 +64,7 @@ def loc(p: Parser, i: int) -> Results[Meaning]:
             yield replace(found, negated=True, mods=(*found.mods, *some), span=p.span(i, k)), k
         elif not j:
             yield found, k
+            yield from and_from(p, i, found, k)
     if j:
         for found, k in region(p, j):
             yield replace(found, negated=True), k
@@ -83,7 +84,7 @@ _AFTER_THERE = frozenset({",", ";", "too", "as", "instead", "at", "and", "then",
 def _loc(p: Parser, i: int) -> Results[Meaning]:
     if j := p.any_of(i, _SPOTS):
         yield from _loc(p, j)
-    yield from region(p, i)
+    yield from (*region(p, i), *quarter(p, i))
     yield from measured(p, i)
     yield from limited(p, i)
     yield from centred_on(p, i)

@@ -6,7 +6,7 @@ from rpg.language.grammar.core import Parser, Results, choice
 from rpg.language.grammar.places.prepositions import CLOSE, DIRECT, relation, side_relation
 from rpg.language.grammar.things.nouns import noun_phrase
 from rpg.language.grammar.things.retold import brought_up
-from rpg.language.meaning import Coord, Loc, Meaning, TableTop
+from rpg.language.meaning import Coord, Loc, Meaning, TableTop, replace
 
 _BUT_NOT = (", but not", "but not", ", not", ", yet not", "yet not", "and not", ", and not", ", though not",
             "though not", "without", "rather than", "instead of", "as opposed to", ", rather than")  # fmt: skip
@@ -64,3 +64,17 @@ def not_but(p: Parser, i: int) -> Results[Coord]:
 
 
 _CONTRASTING = frozenset({"but", "rather", "instead"})
+
+
+@choice
+def and_from(p: Parser, i: int, far: Meaning, j: int) -> Results[Coord]:
+    """ "(at least 15 cm from the red block) and from each other": as far from both."""
+    k = p.any_of(j, _AND_FROM)
+    if not k or not isinstance(far, Loc) or far.rel not in ("apart", "distance") or far.landmark is None:
+        return
+    for landmark, end in noun_phrase(p, k):
+        other = replace(far, landmark=landmark, cost=0, span=p.span(j, end))
+        yield Coord(op="and", items=(far, other), span=p.span(i, end)), end
+
+
+_AND_FROM = ("and from", "and also from", "and away from", "as well as from", ", and from", "and apart from")

@@ -4,17 +4,22 @@ rows that say it once; and what only looks denied."""
 from __future__ import annotations
 
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import FEW, LINE, MUST
+from rpg.language.grammar.rows.vocabulary import COLOR, FEW, LINE, MUST
 
 _MOST = f"(?:at most|not more than|no more than|maximally) (?:{FEW}|\\d+)"
 _LEAST = f"(?:at least|not fewer than|no fewer than|minimally) (?:{FEW}|\\d+)"
 _BUT = "(?:(?: ,)?(?: but| and| yet)(?: also)?| ,)"
+_ONE = "(?: (?:block|cube|one))?"
+_AT = "on(?: top of)?|under|behind|in front of|(?:to the )?(?:left|right) of"
+"""What one thing is to another that this one is not to it."""
 _JUST = "no more(?: and| ,)? no (?:fewer|less)"
 _THEM = "(?: of (?:them|these|those)| one)?(?: ,)?(?: though)?"
 
 CONTRASTED: tuple[Turn, ...] = (
     # the contrary, which what is said before excludes
     ("^(.+?)(?: ,)? (?:and )?not (?:the other way (?:round|around)|vice versa|the reverse)$", "{1}"),
+    (f"^(.*?\\b({COLOR}){_ONE}(?: {MUST} be| is| goes)? ({_AT}) (?:the )?({COLOR}){_ONE})(?: ,)? (?:and )?not "
+     f"(?:the )?\\4{_ONE} \\3 (?:the )?\\2{_ONE}$", "{1}"),
     ("^(.+?)(?: ,)? (?:though )?not necessarily in (?:that|this) order$", "{1} , in any order"),
     ("^(put .+? on .+? and .+? on .+?) , in any order$", "{1}"),
     ("\\bin (\\w+) , not \\w+ , order\\b", "in {1} order"),
@@ -27,6 +32,8 @@ CONTRASTED: tuple[Turn, ...] = (
     # what only looks denied
     ("\\bnowhere but (on|in|at)\\b", "{1}"),
     ("\\bkeep ([^,]+?) out of (the middle|the center|the left half|the right half)\\b", "{1} must not be in {2}"),
+    ("\\bthat (?:does|do) not touch any other(?: (?:block|cube|one))?(?= and| ,|$)", "that touches no other block"),
+    ("\\b(blocks|cubes|ones) that touch(?= and\\b| ,|$)", "{1} that touch each other"),
     # left out
     ("^(.+?) (is|stands|lies) (left|right|in front|behind|to the left|to the right) of (\\S+) , (\\S+) of (\\S+) and "
      "(\\S+) of (\\S+)$", "{1} {2} {3} of {4} , {5} {2} {3} of {6} and {7} {2} {3} of {8}"),

@@ -3,25 +3,34 @@
 
 from __future__ import annotations
 
+from rpg.language import lexicon
 from rpg.language.grammar.rows.said_short import PLACE, THING
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, MANY, MUST, PATCH
+from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, MANY, MUST, PATCH
 
 _MAT = f"the (?:\\w+ )?{PATCH}"
 _IS = f"(?:{MUST} (?:be|go|lie|stand)|is|goes|belongs|stands|lies|sits|comes)"
 _PUT = "(?:put|place|move|set|lay|stack)"
 _BLOCKS = "(?:blocks|cubes|letters|digits|numbers|ones)"
 _LEFT_OUT = "(?:leave out|leaving out|omit|omitting|skip|skipping|without using|do not use|not using)"
+_SIZE = "|".join(sorted(lexicon.SIZE))
 _ONE = f"(?:{THING}|the \\w+ one)"
 _STATE = "(stacked|touching|next to each other|on top of each other|in a row)"
 
 CONTRASTS: tuple[Turn, ...] = (
     # the one, and not the other
-    (f"^not ({THING}) but ({THING}) ({_IS}) ((?:on|in) {_MAT}|{PLACE} {THING})$", "{1} must not be {4} . {2} {3} {4}"),
+    (f"^not (the (?:{_SIZE}) ({COLOR}) {CUBE}) but the ({_SIZE}) one (?={_IS} )", "not {1} but the {3} {2} block "),
+    (f"^not ({THING})(?: ,)? but ({THING}) ({_IS}) ((?:on|in) {_MAT}|{PLACE} {THING})$",
+     "{1} must not be {4} . {2} {3} {4}"),
+    (f"^not ({THING})(?: ,)? but ({THING}) ({MUST}) (carry|bear|hold|support|touch) ({THING})$",
+     "{1} must not {4} {5} . {2} {3} {4} {5}"),
     (f"^({_PUT}) ({_ONE}) (on|in) ({_MAT})(?: ,)? (?:and |but )?not ({_ONE})$",
      "{1} {2} {3} {4} . {5} must not be {3} {4}"),
     (f"^(.*?(?:one|some|any|two|three) of .+?) ({MUST} be|has to be|have to be|{MUST} lie|goes|go) (on [^,]+?)(?: ,)? "
      f"but not (the {COLOR}(?: one| block| cube)?)$", "{1} {2} {3} . {4} must not be {3}"),
+    (f"^((?:nothing|no (?:other )?{CUBE}) (?:{MUST} |may |can )?(?:touch|touches|be) [^,]+?) , (?:but|and|while) "
+     "((?:the|both|all) [^,]*?(?:must|should|touch|touches|are|stand|go)\\b(?!.*\\b(?:it|them|they|that|which)\\b).+)$",
+     "{1} . {2}"),
     # who is none of them
     ("^(.+?) except (?:for )?(the .+?) , (?:they|it|which|these) (?:stay|remain|lie|are|is|stays|remains|lies)(?: "
      "lying)? "
@@ -65,6 +74,9 @@ CONTRASTS: tuple[Turn, ...] = (
 """What is looked for, and what is said instead; in every sentence."""
 
 CONTRASTS_ACROSS: tuple[Turn, ...] = (
+    (f"^({THING}) (?:stands|is|lies|stays|{MUST} stand) (?:alone|by itself|on its own)(?: [,.;])?(?: and| but| while)? "
+     f"((?:all |both |the )[^.,;]+? (?:{MUST} )?(?:stand|are|be|lie|stay) together)(?= \\.|$)",
+     "{2} . {1} must be apart from them"),
     (f"^(.*\\b(?:stack|tower|pile|on)\\b.*?) \\. (?:but )?(?:leave|keep) ({THING}) out(?: of (?:it|this|that|the "
      "(?:stack|tower)))"
      "(?= \\.|$)", "{1} . {2} must not be in the stack"),

@@ -30,8 +30,14 @@ _OTHERS = f"(?:(?:,|and|, and) {MANY} {_THERE} (?!(?:top )?of them).+)"
 _NAMED = f"(?:the )?(?:{COLOR}(?: {BLOCK}| one)?|{LABEL})"
 _LISTED = f"((?:the )?(?:{_SHOWN} )?{_NAMED}(?: , {_NAMED})*(?: ,)? and {_NAMED}(?: {_SHOWN})?)"
 """Different blocks that are listed."""
+_HALF = "(?:on|in) the (left|right|near|far)(?: hand)?(?: side| half)?(?: of the table)?"
 
 COUNTED: tuple[Turn, ...] = (
+    # on either half of the table
+    (f"^({_SO_MANY})(?: [:,])? half(?: of them)? {_HALF}(?: ,| and| , and)(?: the other)? half(?: of them)? {_HALF}$",
+     "half of the {1} must be in the {2} half of the table and the other half in the {3} half of the table"),
+    (f"^(?:everything|all(?: of)?(?: the)? blocks) ({_GO}) ([^,]+?)(?: ,)? except(?: for)? one(?: block| of them)?"
+     "(?= ,|$)", "all but one of the blocks {1} {2}"),
     (f"\\b({MANY}) and (?:no|not) more than \\1\\b", "exactly {1}"),
     (f"^(?:out of|of|from) (?:the |my )?({MANY} (?:{COLOR} )?{_BLOCKS})(?: ,)? ((?:exactly|at least|at most|only|"
      f"just) {MANY}) {_GO} ((?:on|onto|in|into) .+)$", "{2} of the {1} must be {3}"),

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from rpg.language.grammar.rows.said_short import BLOCK, LABEL, THING, THINGS
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, FEW, LENGTH, MUST, PATCH
+from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, FEW, LENGTH, MUST, PATCH
 
 _LEAST = "(?:at least|more than|no less than|not less than|at most|less than|no more than|not more than)"
 _ABOUT = "(?:about|around|roughly|approximately|exactly|precisely|just)"
@@ -39,6 +39,7 @@ _NAMED = f"(?:(?:the|an?) (?:\\w+ )?)?(?:{COLOR}|{BLOCK}|{LABEL})\\b"
 _MEASURED = "(?:(?:,|as|when)? ?measured )?(?:from )?(?:center to center|(?:their )?centers? to (?:their )?centers?)"
 
 DISTANCES: tuple[Turn, ...] = (
+    ("\\bfrom every other(?: one| block| cube)?(?=$| ,)", "from all others"),
     (f"^(.+? and .+?) ({MUST}) (?:keep|have|maintain) (?:a|their) distance of ({_FAR})(?: (?:from|to) (?:each other|"
      "one another))?$", "{1} {2} be {3} apart"),
     (f"\\bat a distance from ({THING}) (greater|larger|smaller|shorter) than (?:its distance|that)(?: from| to)? "
@@ -59,6 +60,9 @@ DISTANCES: tuple[Turn, ...] = (
 )  # fmt: skip
 """What makes no sense as it stands, and what is said instead."""
 DISTANCES_AT_ONCE: tuple[Turn, ...] = (
+    ("\\beach ([^,]+?) from both(?: of)? the others(?=$| ,)", "each {1} from the other two"),
+    (f"^(.*\\b{_GAPS} between .+?)(?: ,)? with the ({COLOR})(?: one| {CUBE})? on the (left|right)$",
+     "{1} , and the {2} block is on the {3}"),
     # "to the left a little bit, about 5 cm"
     (f"^((?:please )?(?:move|shift|push|slide|nudge|drag|bring|pull) [^,]+?)(?: {_A_BIT})? (to the (?:left|right|front|"
      f"back))(?:(?: ,)?(?: but)?(?: only)? {_A_BIT})?(?: ,)? (?:(?:by|say|like|maybe|so)(?: ,)? )?{_LONG}( or so)?"

@@ -67,6 +67,9 @@ def _respectively() -> tuple[Turn, ...]:
 
 
 SHORT_AT_ONCE: tuple[Turn, ...] = (
+    # "the red cube, not the blue one, goes on the green cube"
+    (f"^((?:please )?{PUT} {_JOINED})(?: ,| \\()? {_NOT} ({THINGS})(?: ,| \\))? (?={PLACE}\\b)", "{1} and not {2}"),
+    (f"^({_JOINED})(?: ,| \\()? {_NOT} ({THINGS})(?: ,| \\))? (?={_THAT}\\b)", "{1} and not {2}"),
     # "the block with a 5 goes on the one with a 3"
     ("\\bthe one (?:with|showing|bearing|carrying|that (?:has|shows|says|reads)) (?:an? |the )?(?:letter |number |"
      f"digit )?({LABEL})(?= ,| and| {MUST}| is|$)", "the {1} block"),
@@ -117,9 +120,6 @@ SHORT: tuple[Turn, ...] = (
      "{1} must be {2} {5} and {3} must be {4} {5}"),
     # "start with ...; end with ..."
     ("^(?:end|finish)(?: up)? with (.+?) ((?:in|on|at|next to|stacked) .+)$", "at the end {1} must be {2}"),
-    # "the red cube, not the blue one, goes on the green cube"
-    (f"^((?:please )?{PUT} {_JOINED})(?: ,| \\()? {_NOT} ({THINGS})(?: ,| \\))? (?={PLACE}\\b)", "{1} and not {2}"),
-    (f"^({_JOINED})(?: ,| \\()? {_NOT} ({THINGS})(?: ,| \\))? (?={_THAT}\\b)", "{1} and not {2}"),
     (f"^(?:instead of|rather than) ({THINGS})(?: ,)? ({PUT}) ({THINGS}) (.+)$", "{2} {3} and not {1} {4}"),
     (f"^unlike ({THINGS}) , (?:which|that) ({_THAT} [^,]+) , (.+)$", "{1} {2} . {3}"),
     ("^(?:likewise|similarly)(?: ,)? (?=\\w)", ""),

@@ -87,7 +87,7 @@ def pronoun(p: Parser, i: int) -> Results[Meaning]:
                    "the other half", "the other third", "the latter", "the former", "everything else",
                    "both of them", "all of them",
                    "everything", "both",
-                   "all of it", "the first one", "the second one", "the remaining ones", "the remainder", "another",
+                   "all of it", "the first one", "the second one", "the remaining ones", "the remainder",
                    "the other", "one", "nothing else", "nothing", "anything else",
                    "anything", "either of them", "neither of them", "each of them",
                    "none of them", "that", "this", "those", "these", "each one", "any other one", "any other",
@@ -96,8 +96,21 @@ def pronoun(p: Parser, i: int) -> Results[Meaning]:
         if phrase == "the other" and p.number(j) is not None:
             continue  # "the other four"
         yield Pronoun(word=phrase, span=p.span(i, j), cost=int(phrase in ("none of them", "either of them"))), j
+    yield from _another(p, i)
 
 
+def _another(p: Parser, i: int) -> Results[Meaning]:
+    """ "A red block on A and another on B": one more of that look; of a tower it is another tower."""
+    j = p.one(i, "another")
+    if not j:
+        return
+    begins = p.words[i - 1] in _AND and i > 0 and lexicon.STRUCTURE.keys().isdisjoint(p.words[:i])
+    if begins:
+        yield Noun(head="any", det="another", amount=Amount(1, 1), span=p.span(i, j)), j
+    yield Pronoun(word="another", span=p.span(i, j), cost=int(begins)), j
+
+
+_AND = frozenset({",", "and", "while", "but", ";"})
 _ALL_THAT = tuple(
     f"{all_}{stuff}" for all_ in ("the ", "all the ", "all this ", "this ", "that ", "all that ", "your ", "my ")
     for stuff in ("junk", "stuff", "rubbish", "clutter", "trash", "garbage")

@@ -2,7 +2,19 @@
 
 from __future__ import annotations
 
-from rpg.language.meaning import Chain, Clause, Meaning, Noun, Structure, Traits, parts_of, replace
+from rpg.language.meaning import (
+    Chain,
+    Clause,
+    Loc,
+    Manner,
+    Meaning,
+    Noun,
+    Pronoun,
+    Structure,
+    Traits,
+    parts_of,
+    replace,
+)
 
 
 def of_a_kind(clause: Meaning) -> bool:
@@ -38,11 +50,32 @@ def _last(chain: Chain) -> Chain:
 def waits(chain: Chain, chains: tuple[Chain, ...]) -> bool:
     """Whether a sentence of a kind alone is to be read behind the others, for these name its symbols, or count it."""
     others = [other for other in chains if other is not chain]
+    if all(map(_of_nothing, chain.clauses)):  # "nothing may touch the red block": of none of all that there are
+        told = parts_of((*(clause.adjuncts for clause in chain.clauses if isinstance(clause, Clause)), *others))
+        return all(x.word == "each other" for x in told if isinstance(x, Pronoun))
     hues = [_denied_hue(clause) for clause in chain.clauses]
     if all(hues):
         counted = {x.traits.colors for x in parts_of(tuple(others)) if isinstance(x, Noun) and _counts(x)}
         return counted.issuperset(hues)
     return all(map(of_a_kind, chain.clauses)) and any(map(_names, others))
+
+
+def _of_nothing(clause: Meaning) -> bool:
+    """ "Nothing", or "no block", is to be somewhere, or is not to be touched."""
+    if not isinstance(clause, Clause) or clause.verb != "be" or clause.mode != "goal" or not clause.adjuncts:
+        return False
+    theme, named = clause.theme, [x.landmark for x in clause.adjuncts if isinstance(x, Loc)]
+    nothing = isinstance(theme, Pronoun) and theme.word == "nothing"
+    bare = isinstance(theme, Noun) and (theme.head, theme.det, theme.part_of, theme.amount) == (
+        "block",
+        "no",
+        None,
+        None,
+    )
+    none = nothing or (bare and isinstance(theme, Noun) and theme.traits == Traits() and not theme.conditions)
+    if not none or not named or not all(isinstance(x, Loc | Manner) for x in clause.adjuncts):
+        return False
+    return all(isinstance(x, Noun) and x.head != "patch" and x.det == "the" for x in named)
 
 
 def _denied_hue(clause: Meaning) -> tuple[str, ...]:

@@ -30,7 +30,7 @@ def told(pieces: Sequence[Piece]) -> str:
     Raises:
         Unclear: it does not follow how high each of them is, or where it stands.
     """
-    if _begun(pieces) or _TOGETHER.isdisjoint(piece.kind for piece in pieces):
+    if _begun(pieces) or _each_or_all(pieces) or _TOGETHER.isdisjoint(piece.kind for piece in pieces):
         raise Unclear
     found, besides = gathered(pieces)
     possible = ways(found)
@@ -47,6 +47,15 @@ def _begun(pieces: Sequence[Piece]) -> bool:
     """ "There is a tower of two", "..., put it ...": what there is may be there at the start."""
     there = [n for n, (a, b) in enumerate(pairwise(pieces)) if _THERE.search(a.words) and b.kind in ("tower", "towers")]
     return there[:1] == [0] or (bool(there) and any(_DONE.search(piece.words) for piece in pieces[there[0] :]))
+
+
+def _each_or_all(pieces: Sequence[Piece]) -> bool:
+    """ "Two towers of eight blocks, one as tall as the other": eight each, or four each?"""
+    of_so_many = any(
+        (towers.kind, of.words, many.kind) == ("towers", "of", "many") and "each" not in many.named
+        for towers, of, many in zip(pieces, pieces[1:], pieces[2:], strict=False)
+    )
+    return of_so_many and any(piece.kind == "compared" and piece.value == ("times", 1) for piece in pieces)
 
 
 Item = tuple[str, int]

@@ -44,3 +44,14 @@ def test_what_a_headline_alone_tells_is_not_lost(text: str) -> None:
 def test_a_title_of_a_task_asks_for_nothing() -> None:
     told = "The red block is on the blue block. Put it on the mat."
     assert means(f"Easy task: {told}") == means(told)
+
+
+@pytest.mark.parametrize("headline", ["TC-041:", "Requirement R-7:", "Case 2:", "Variant B of the stacking suite:"])
+def test_a_headline_has_a_number(headline: str) -> None:
+    assert means(f"{headline} put the red block on the blue one.") == means("Put the red block on the blue one.")
+
+
+def test_what_is_numbered_like_a_headline_may_tell() -> None:
+    assert "must not be on the blue block" in means("Item 3: do not put red on blue.")
+    for text in ("Not allowed case 3: red on blue.", "Wrong layout 2: red on blue.", "Row 2: red, blue."):
+        code_of(text)  # refused

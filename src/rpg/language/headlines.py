@@ -25,24 +25,48 @@ _TURNED = (*CHANGES, "invers")
 """Such a task begins with what is told of its start."""
 _STARTS = listed("initial initially start starts starting begin begins beginning before setup given swap exchange")
 _BLOCKS = frozenset(lexicon.BLOCK)
+_NUMBERED = TESTS | listed("case item requirement version req no ticket spec specification example question layout "
+                           "config configuration setting order job lot run split suite")  # fmt: skip
+"""What has a number or a letter for its name."""
 
 
 def headline(tokens: Sequence[Token]) -> int:
     """How many of the first words are a headline; a place at its end is none of them."""
     end = next((n for n in range(1, min(2 * LONGEST, len(tokens) - 3)) if sets_off(tokens, n)), 0)
-    told = tokens[:end]
-    if not told or not of_words([token for token in told if token.word != ","]) or told[-1].word == ",":
+    told = _without_numbers(tokens[:end])
+    if not told:  # "TC - 041:" alone
+        return end + 1 if end and _by_itself(tokens[end + 1 :]) else 0
+    if not of_words([token for token in told if token.word != ","]) or told[-1].word == ",":
         return 0
     behind = tokens[end + 1 :]
     place = _placed(told)
     words = [token.word for token in told[:place]]
-    named = not TESTS.isdisjoint(words) or any(is_strange(word) or _done(word) for word in words)
+    named = not _NUMBERED.isdisjoint(words) or any(is_strange(word) or _done(word) for word in words)
     plain = all(tells_nothing_else(told[:place], n, behind) for n in range(place))
     if not named or not plain or not ordered_again(words, behind):
         return 0
-    if place < end:
-        return 0 if behind[0].word in lexicon.COMMANDS else place  # a command has a place of its own
+    if place < len(told):
+        return 0 if len(told) < end or behind[0].word in lexicon.COMMANDS else place  # a command has a place of its own
     return end + 1
+
+
+def _without_numbers(told: Sequence[Token]) -> list[Token]:
+    """The words of a headline without those that only number it: "case 41", "requirement R-7", "TC-041", "variant B"."""
+    left: list[Token] = []
+    for n, token in enumerate(told):
+        before = told[n - 1] if n else None
+        lettered = before is not None and before.raw.isupper() and token.kind == "number"
+        if lettered and left[-1:] == [before]:
+            left.pop()
+        named = before is not None and before.word in _NUMBERED
+        if not lettered and not (named and (token.kind == "number" or (len(token.raw) == 1 and token.raw.isupper()))):
+            left.append(token)
+    return left
+
+
+def _by_itself(behind: Sequence[Token]) -> bool:
+    """Whether a command stands behind a number, so that this is no block's."""
+    return bool(behind) and behind[0].word in lexicon.COMMANDS
 
 
 def named_errand(tokens: Sequence[Token], behind: Sequence[Token]) -> bool:

@@ -51,7 +51,7 @@ def headline(tokens: Sequence[Token]) -> int:
 
 
 def _without_numbers(told: Sequence[Token]) -> list[Token]:
-    """The words of a headline without those that only number it: "case 41", "requirement R-7", "TC-041", "variant B"."""
+    """A headline without what only numbers it: "case 41", "requirement R-7", "TC-041", "variant B"."""
     left: list[Token] = []
     for n, token in enumerate(told):
         before = told[n - 1] if n else None

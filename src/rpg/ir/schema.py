@@ -30,7 +30,6 @@ NONE_BESIDES = "there is no other block that could be there"
 """What it comes to that a block is alone where it is, in a task that has no other."""
 EXCHANGED = "the two are exchanged when what is told of the start is so the other way round"
 EXCHANGED_LATER = "the two are exchanged when what is built first is so with each in the place of the other"
-ALONG_THE_LINE = "so many places along its line: the others keep their order"
 
 
 def slug(text: str) -> str:

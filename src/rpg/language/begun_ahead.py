@@ -16,7 +16,6 @@ _WISHED = frozenset({"must", "should", "shall", "will", "goal", "end", "finally"
                      "stays", "remain", "remains", "keep", "keeps", "still"})  # fmt: skip
 """With these a sentence tells of the end, or says itself when it is so."""
 _STAND = frozenset({"stand", "stands", "lie", "lies", "sit", "sits"})
-_MUST = frozenset({"must", "should", "shall", "has", "have", "needs", "may"})
 _GOING = frozenset({"leave", "leaves", "move", "moves", "stay", "stays"})
 _TO_BE = frozenset({"must", "should", "shall", "will", "want", "goal", "end", "finally", "has", "have", "needs", "to"})
 _ASKING = ("i want", "i would", "we want", "please", "now", "then", "at the end", "in the end", "finally")
@@ -42,14 +41,10 @@ def stands_first(words: Sequence[Token]) -> bool:
     is there at the start, and is not what is to be built."""
     first, *rest = sentences([*words])
     said = {token.word for token in first}
-    told = {"from", "to"} <= said  # "... from left to right"
-    changed = any(part[0].word in lexicon.COMMANDS or _goes_off(part) for part in rest)
-    changed = changed or (told and any(not _MUST.isdisjoint(token.word for token in part) for part in rest))
-    there = first[0].word == "there" and (told or any(map(_goes_off, rest)))
-    owed = said - {"to"} if told else said
-    fact = (there or not said.isdisjoint(_STAND)) and owed.isdisjoint(_TO_BE) and first[0].word not in lexicon.COMMANDS
+    there = first[0].word == "there" and any(map(_goes_off, rest))
+    fact = (there or not said.isdisjoint(_STAND)) and said.isdisjoint(_TO_BE) and first[0].word not in lexicon.COMMANDS
     built = any(token.word in lexicon.STRUCTURE for token in first)
-    return fact and built and changed
+    return fact and built and any(part[0].word in lexicon.COMMANDS or _goes_off(part) for part in rest)
 
 
 def _goes_off(part: Sequence[Token]) -> bool:

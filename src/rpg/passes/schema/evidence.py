@@ -21,7 +21,7 @@ from rpg.ir.structures import Figure, Grid, GroupBy, Pyramid, Row, Spells, Stack
 from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
 from rpg.language.tokens import Token
-from rpg.passes.schema.numbers_had import Numbers, counts_steps, edges_of, numbers_of, symbols_of
+from rpg.passes.schema.numbers_had import Numbers, edges_of, numbers_of, symbols_of
 from rpg.passes.schema.worked_out import worked_out
 
 PASSING = frozenset({"the", "no", "any", "every", "those", "these", "other", "all", "step", "stage", "row", "column",
@@ -117,7 +117,7 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
         said, after = _number(token), words[index + 1].word if index + 1 < len(words) else ""
         if said is not None and said > 4 and after == "corners":
             yield token
-        said = None if after in UNCOUNTED or counts_steps(after, task) else said
+        said = None if after in UNCOUNTED else said
         if said is not None and shown & DIGITS and _listed(words, index) and f"{said:g}" not in shown:
             yield token
         passing = _numbered(words, index, task) or (said == 2 and _in_passing(words, index))

@@ -14,20 +14,14 @@ from rpg.ir.assets import EDGE, FACES, Asset, SemanticCube
 from rpg.ir.goal import All, Count, Not
 from rpg.ir.node import members
 from rpg.ir.relations import Above, Clear, InRegion, On, Ranged, Shifted, Swapped
-from rpg.ir.schema import ALONG_THE_LINE, EXCHANGED_LATER, TaskSchema
+from rpg.ir.schema import EXCHANGED_LATER, TaskSchema
 from rpg.ir.structures import Figure, Grid, GroupBy, Pyramid, Row, Spells, Stack, Staircase
 from rpg.ir.walk import atoms, names
-from rpg.language.grammar.places.line_ends import STEP
 
 UNITS = (1.0, 10.0, 100.0, 1000.0, 1 / 0.0254, 1 / EDGE)
 """Lengths are told in metres, decimetres, centimetres, millimetres, inches or edges."""
 LENGTHS = ("at_least", "distance")
 """Fields of goals that are said as often as not; of other fields only values that are not the default are."""
-
-
-def counts_steps(after: str, task: TaskSchema) -> bool:
-    """ "Two places to the left": a number in front of such a word has come to an order."""
-    return after in STEP and task.assumed(ALONG_THE_LINE)
 
 
 class Numbers:

@@ -8,9 +8,8 @@ from rpg.language.grammar.things.nouns import noun_phrase
 from rpg.language.meaning import At, Clause, Meaning, Noun, Pronoun, replace
 
 _BECOMES = ("become", "becomes", "be made", "turn into", "turns into", "end up as", "ends up as", "end up", "ends up")
-_COMES = frozenset({"come", "comes", "go", "goes", "be", "stand"})
-"""Before "first" and "last" these may tell a time, too."""
-_MAY = frozenset({"may", "might", "can", "could", "not"})
+
+
 PUT = frozenset({"put", "place", "move", "set"})
 
 
@@ -36,10 +35,6 @@ def becomes_first(p: Parser, i: int, k: int, theme: Meaning) -> Results[Clause]:
     """ "the last cube in the line should become the first", with its subject before k."""
     if j := p.any_of(k, _BECOMES):
         yield from _in_its_line(p, i, j, theme)
-    elif j := p.one(k, _COMES) if not p.follows(k, _MAY) else 0:
-        for found, end in _in_its_line(p, i, j, theme):
-            if p.stands(end - 1, ("first", "last")) and (end >= p.end or p.stands(end, _CLOSED)):
-                yield _bare(found), end
 
 
 def _in_its_line(p: Parser, i: int, k: int, theme: Meaning) -> Results[Clause]:

@@ -21,7 +21,6 @@ from rpg.language.grammar.clauses.told_from import elsewhere, same_as, several
 from rpg.language.grammar.clauses.verb_again import in_line_already
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.its_place import in_its_place
-from rpg.language.grammar.places.line_ends import steps_ahead
 from rpg.language.grammar.places.relations import on_its_own
 from rpg.language.grammar.structures.from_an_end import in_turn
 from rpg.language.grammar.structures.orders import order
@@ -81,7 +80,7 @@ _BEHIND = {**dict.fromkeys(("stack", "arrange", "place", "unstack"), _UP_OR_OUT)
 def _no_particle(p: Parser, k: int) -> bool:
     """ "Out of the way", "(put it) back left": these tell where."""
     corner = p.stands(k, _UP_OR_OUT) and p.stands(k + 1, ("left", "right"))
-    return bool(p.seq(k, "out of the way")) or steps_ahead(p, k) or (corner and p.words[k + 2] in ("", ",", ".", "and"))
+    return bool(p.seq(k, "out of the way")) or (corner and p.words[k + 2] in ("", ",", ".", "and"))
 
 
 @rule

@@ -15,17 +15,6 @@ _FIRST = Patterns(
     "to the very? beginning|start", f"to|at the very? beginning|start of the|its|that {_LINE}",
 )  # fmt: skip
 """Ends of what is read from its beginning on."""
-_KINDS = f"{_LINE}|tower|stack|column"
-_OTHER_END = Patterns("to|at|on|onto the|its other|opposite end of_it?",
-                      f"to|at|on|onto the other|opposite end of the|its|that {_KINDS}")  # fmt: skip
-STEP = frozenset({"place", "places", "position", "positions", "spot", "spots", "slot", "slots"})
-_WAYS = {
-    **{f"{to}{side}": side for side in ("left", "right") for to in ("to the ", "further to the ", "further ", "")},
-    **dict.fromkeys(("up", "upwards", "higher", "further up", "higher up"), "top"),
-    **dict.fromkeys(("down", "downwards", "lower", "further down", "lower down"), "bottom"),
-}
-STEPS = "place further to the "
-"""In front of a side: so many places that way, from where something is in its line."""
 _INTO = ("to", "to the", "into", "into the")
 _SPOT = frozenset({"place", "position", "spot"})
 _OF_IT = Patterns(f"one|block|cube|letter|digit of|in the|that {_LINE}", f"of|in the|that {_LINE}",
@@ -51,27 +40,6 @@ def line_end(p: Parser, i: int) -> Results[Meaning]:
     for index, ends in ((-1, _LAST), (1, _FIRST)):
         for j in list(ends.matches(p, i))[-1:]:
             yield At(side="first", index=index, span=p.span(i, j)), j
-
-
-@rule
-def along_the_line(p: Parser, i: int) -> Results[Meaning]:
-    """ "To the other end", "two places to the left", "up by one place": from where something is in its line."""
-    for j in _OTHER_END.matches(p, i):
-        yield At(side="other end", span=p.span(i, j)), j
-    for way, ahead in (*p.standing(i, _WAYS), ("", i)):
-        at = p.opt(ahead, "by")
-        many = p.number(at)
-        j = p.one(at + 1, STEP) if many else 0
-        if many and j and way:
-            yield At(side=STEPS + _WAYS[way], index=many, span=p.span(i, j)), j
-        for behind, k in p.standing(j, _WAYS) if many and j and not way else ():
-            yield At(side=STEPS + _WAYS[behind], index=many, span=p.span(i, k)), k
-
-
-def steps_ahead(p: Parser, k: int) -> bool:
-    """Whether "up", "down" stand there for a way along a line, and are no particles: "(move it) up one place"."""
-    at = p.opt(p.one(k, ("up", "down")), "by")
-    return bool(at and p.number(at)) and p.stands(at + 1, STEP)
 
 
 @rule

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
-from rpg.language.grammar.places.line_ends import along_the_line, line_end
+from rpg.language.grammar.places.line_ends import line_end
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.meaning import At, Meaning, Toward, replace
 
@@ -226,7 +226,6 @@ def at(p: Parser, i: int) -> Results[Meaning]:
         yield from inside(p, i, j)
     yield from extreme(p, i)
     yield from line_end(p, i)
-    yield from along_the_line(p, i)
     if j := p.any_of(i, _EITHER_END):
         yield At(side="end", span=p.span(i, j)), j
     if j := p.any_of(i, _BOTH_ENDS):

@@ -289,7 +289,6 @@ def untimed(chain: Chain) -> Chain:
 def _append(stages: list[Goals], link: str, goals: Goals, scene: Scene) -> None:
     if not goals:
         return
-    stages[-1] = [goal for goal in stages[-1] if goal not in scene.superseded]
     match link:
         case "then" | "before":
             if stages[-1] and not _comes_of_it(stages[-1], goals, scene):

@@ -50,7 +50,7 @@ from rpg.passes.schema.resolve.clauses.throughout import held_throughout, of_the
 from rpg.passes.schema.resolve.goals.logic import forbids
 from rpg.passes.schema.resolve.orders.loose import each_alone
 from rpg.passes.schema.resolve.orders.rebuilt import once_more
-from rpg.passes.schema.resolve.orders.reordered import reverse, verb_for
+from rpg.passes.schema.resolve.orders.reordered import reverse
 from rpg.passes.schema.resolve.places.alone import kept_away, none_further, told_alone
 from rpg.passes.schema.resolve.places.between import by_sandwiching
 from rpg.passes.schema.resolve.places.centred import by_centring, centred
@@ -280,7 +280,7 @@ def _arranged(clause: Clause, said: Meaning, spec: Spec, scene: Scene, scope: Sc
     theme = refer(counted(said, spec, clause), scene, replace(scope, need_each=2 if shape == "towers" else 1))
     by_sandwiching(clause, spec)
     in_sequence(clause, theme, spec, scene)
-    return arrange_blocks(theme, verb_for(clause, theme, spec, scene), spec, scene, scope, clause.span)
+    return arrange_blocks(theme, clause.verb, spec, scene, scope, clause.span)
 
 
 def _kind_of_shape(spec: Spec) -> str:

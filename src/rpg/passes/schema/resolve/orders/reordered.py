@@ -7,10 +7,7 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.order import Order
-from rpg.ir.schema import ALONG_THE_LINE
-from rpg.language.grammar.places.line_ends import STEPS
-from rpg.language.meaning import At, Clause
-from rpg.passes.schema.resolve.clauses.begun_facts import wanted
+from rpg.language.meaning import At
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.goals.logic import Atoms
 from rpg.passes.schema.resolve.orders.turned_over import comes_of_reversing
@@ -67,17 +64,8 @@ _WHEN: dict[tuple[str, str | float | None], int] = {
 def _home(theme: Ref, scene: Scene) -> Built | None:
     """The one structure of the start that a block is part of."""
     home = [b for b in scene.built if b.kind in FIRST and set(theme.names) < set(b.members)]
-    again = scene.rearranged.get(frozenset(home[-1].members)) if len(home) > 1 else None
-    if again is not None and again[0] == scene.sentence and {*home[0].members} == {*home[-1].members}:
-        home = home[-1:]  # "C goes to the bottom and A to the top"
     alone = len(home) == len(theme.names) == 1 and theme.quant is None
     return home[0] if alone and _begun(home[0], scene) is not None else None
-
-
-def verb_for(clause: Clause, theme: Ref, spec: Spec, scene: Scene) -> str:
-    """The verb of a clause: what of a line that is there "should be at the bottom" is put there."""
-    anew = wanted(clause) and not clause.negated and len(spec.ats) == 1 and not spec.intos
-    return "place" if anew and _home(theme, scene) is not None else clause.verb
 
 
 def with_two_swapped(one: str, other: str, scene: Scene, span: Span) -> g.Goal | None:
@@ -112,7 +100,7 @@ def moved_within(theme: Ref, at_: At, scene: Scene, span: Span) -> Atoms | None:
         return None
     built = _ordered(Ref(names=home.members, built=(home,), span=theme.span), scene, span)
     rest = tuple(n for n in built.members if n not in theme.names)
-    index = _along(built, theme.names[0], at_, scene) if _is_along(at_) else _place_among(built, at_)
+    index = _place_among(built, at_)
     if index is None or not -1 <= index <= len(rest):
         return None
     others = [scene.things[n] for n in rest]
@@ -124,26 +112,7 @@ def moved_within(theme: Ref, at_: At, scene: Scene, span: Span) -> Atoms | None:
     index = len(rest) if index < 0 else index
     if (*rest[:index], *theme.names, *rest[index:]) == built.members:
         raise refuse("no-goal", "it is there at the start", at_.span, "say where else it should be")
-    line = _again(built, (*rest[:index], *theme.names, *rest[index:]), scene, span)
-    sentence, before = scene.rearranged.get(frozenset(built.members), (-1, None))
-    scene.superseded += [before] if before is not None and sentence == scene.sentence else []
-    scene.rearranged[frozenset(built.members)] = scene.sentence, line
-    return [line]
-
-
-def _is_along(at_: At) -> bool:
-    return at_.side == "other end" or at_.side.startswith(STEPS)
-
-
-def _along(built: Built, name: str, at_: At, scene: Scene) -> int | None:
-    """How many of the others are before the other end, or before a place so many steps from where a block is."""
-    here, last = built.members.index(name), len(built.members) - 1
-    if at_.side == "other end":
-        return last - here if here in (0, last) else None
-    first, way = built.side or FIRST[built.kind], at_.side.removeprefix(STEPS)
-    there = here + (at_.index or 0) * {first: -1, LAST[first]: 1}.get(way, last + 1)
-    scene.assume(ALONG_THE_LINE)
-    return there if 0 <= there <= last else None
+    return [_again(built, (*rest[:index], *theme.names, *rest[index:]), scene, span)]
 
 
 def _place_among(built: Built, at_: At) -> int | None:
@@ -202,13 +171,6 @@ def _again(built: Built, names: tuple[str, ...], scene: Scene, span: Span) -> g.
     return s.Row(blocks=names, axis="y" if first in ("left", "right") else "x", order=order, span=span)
 
 
-def _but_for_look_alikes(order: Order, scene: Scene) -> tuple[str, ...]:
-    """The blocks of a line in their order, where it leaves open no more than which look-alike is where."""
-    looks = [{(t.color, t.label, t.size) for t in map(scene.things.__getitem__, rank)} for rank in order.ranks]
-    told = order.by == "given" and order.first is not None and all(len(look) == 1 for look in looks)
-    return tuple(name for rank in order.ranks for name in rank) if told else ()
-
-
 def kind_again(theme: Ref, spec: Spec, scene: Scene) -> str:
     """ "(There is a tower of A, B and C.) Put it in the order C, A, B": as what these blocks are lined up."""
     figures = [b.kind for b in scene.built if b.kind not in FIRST and {*b.members} == {*theme.names}]
@@ -264,11 +226,6 @@ def _ordered(theme: Ref, scene: Scene, span: Span) -> Built:
     if built.ordered:
         return built
     node = _begun(built, scene)
-    if node is not None and (members := _but_for_look_alikes(node.order, scene)):
-        first, side = FIRST[built.kind], node.order.first
-        members = members if built.kind != "stack" or side == first else members[::-1]
-        scene.built.remove(built)
-        return scene.add_built(built.kind, members, True, built.span, side if built.kind != "stack" else None)
     if node is None or node.order.by != "any":
         raise refuse("ambiguous", "the order of these blocks is not said in full", span, "name its blocks one by one")
     first = FIRST[built.kind]

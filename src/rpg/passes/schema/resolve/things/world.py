@@ -167,8 +167,6 @@ class Scene:
     `verbs`: where the verb of every clause stands, whether it is denied, and its sense.
     `owners`: the clauses that tell what a block has on it, or beside it.
     `topped`: structures on top of which something goes that are not named there.
-    `rearranged`: lines that are there and put into another order, with the sentence that does so and what it comes to;
-    `superseded`: such orders that the same sentence goes on to change.
     `all_but`: blocks of which all but some are spoken of.
     `taken`: the one on top of a tower of look-alikes that is there at first, with those under it.
     `regions`: the part of the table that a clause tells.
@@ -236,8 +234,6 @@ class Scene:
     held: dict[str, Span] = field(default_factory=dict)
     exclusive: list[Exclusive] = field(default_factory=list)
     topped: list[Built] = field(default_factory=list)
-    rearranged: dict[frozenset[str], tuple[int, Goal]] = field(default_factory=dict)
-    superseded: list[Goal] = field(default_factory=list)
     all_but: list[tuple[str, ...]] = field(default_factory=list)
     taken: dict[str, tuple[str, ...]] = field(default_factory=dict)
     returned: set[str] = field(default_factory=set)

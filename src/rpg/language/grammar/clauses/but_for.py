@@ -1,5 +1,5 @@
-"""Exceptions behind all that is said of the blocks: "line them up in order, all but the 4", "they go into the left
-half, except for the 1"."""
+"""Exceptions behind all that is said of the blocks: "line them up in order, all but the 4", "they go into the left half,
+except for the 1"."""
 
 from __future__ import annotations
 

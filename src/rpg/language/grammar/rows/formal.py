@@ -43,7 +43,6 @@ from rpg.language.grammar.rows.in_conversation import IN_CONVERSATION, TOLD_OF_B
 from rpg.language.grammar.rows.in_steps import IN_STEPS
 from rpg.language.grammar.rows.in_writing import IN_WRITING
 from rpg.language.grammar.rows.kept_and_moved import FALLEN, KEPT_AND_MOVED, KEPT_AT_ONCE
-from rpg.language.grammar.rows.kinds_in_range import kinds_in_range
 from rpg.language.grammar.rows.kinds_in_rows import KINDS_IN_ROWS
 from rpg.language.grammar.rows.kinds_told_if import KINDS_ACROSS, KINDS_TOLD_IF
 from rpg.language.grammar.rows.labels_counted import labels_counted
@@ -330,7 +329,7 @@ _CHANGES = (
     sums_asked, sums_on_a_patch, one_row_and_one, listed_lines, column_words, labels_counted, announced_rainbow,
     swapped_over, result_told, palindromes, one_more, all_sides, around_named, some_of_the_letters, row_with_ends,
     other_end_named, rows_by_number, told_by_places, _steps_told, _one_of_each, of_each_color, corners_again,
-    not_at_end, of_the_figure, word_again, kinds_in_range, range_but, not_consecutive, so_many_inside, so_many_on_each,
+    not_at_end, of_the_figure, word_again, range_but, not_consecutive, so_many_inside, so_many_on_each,
     others_elsewhere, others_counted, word_of_letters, leave_to_move, listed_of_all, row_edited,
 )  # fmt: skip
 """What is told otherwise before the rows are looked for, in this order."""

@@ -10,11 +10,6 @@ _BLOCK = "(block|cube|brick)"
 _IF = "(?:if|when|whenever) (?:an?|any)"
 _GOES = f"(?:it (?:{MUST} (?:go|be|be put|be placed|lie|end up)|goes|belongs|is)|(?:put|place|move|bring|set) it)"
 _PLACE = "((?:on|onto|in|into|to) (?:the|an?) [^,;]+?)"
-_ADJECTIVE = f"(?:odd|even|{COLOR})"
-_NOUN = "(?:vowel|consonant|letter|digit|number)"
-_THOSE = "(?:those|the ones)(?: of (?:them|these))? (?:that|which) are"
-_THOSE_NOT = "(?:those|the ones)(?: of (?:them|these))? (?:that|which) (?:are not|aren't)"
-_OF_DIGITS = "^(?!.*\\bletters?\\b)(.*\\b(?:digits|numbers)\\b.*)\\b"
 _NEXT = "(?: ,| ;| and| , and| ; and| , but| but| while| , while)"
 
 KINDS_ACROSS: tuple[Turn, ...] = (
@@ -26,11 +21,5 @@ KINDS_TOLD_IF: tuple[Turn, ...] = (
     (f"^{_IF} {_BLOCK} is ({COLOR})(?: ,)?(?: then)? {_GOES} {_PLACE}{_NEXT} (?:if|when) it is ({COLOR})(?: ,)?(?: "
      f"then)? "
      f"{_GOES} {_PLACE}$", "every {2} {1} must be {3} . every {4} {1} must be {5}"),
-    (f"^(.+?)(?: ,)? unless (?:it|they) (?:is|are) (?:an? )?({_ADJECTIVE})$", "{1} , except the {2} ones"),
-    (f"^(.+?)(?: ,)? unless (?:it|they) (?:is|are) (?:an? )?({_NOUN})s?$", "{1} , except the {2s}"),
-    (f"\\b{_THOSE} ({_ADJECTIVE})\\b(?! ones)", "the {1} ones"),
-    (f"\\b{_THOSE} ({_NOUN}s)\\b", "the {1}"),
-    *((f"{_OF_DIGITS}{_THOSE_NOT} {kind}\\b", f"{{1}} the {other} ones")
-      for kind, other in (("even", "odd"), ("odd", "even"))),
 )  # fmt: skip
 """What is looked for, and what is said instead."""

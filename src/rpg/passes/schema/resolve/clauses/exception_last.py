@@ -65,7 +65,7 @@ def _universal(theme: Meaning) -> bool:
     if isinstance(theme, Pronoun):
         return theme.word in _ALL
     whole = isinstance(theme, Noun) and theme.amount is None and theme.head != "patch"
-    return whole and isinstance(theme, Noun) and (theme.det in ("all", "each") or (theme.det == "the" and theme.plural))
+    return whole and isinstance(theme, Noun) and (theme.det == "all" or (theme.det == "the" and theme.plural))
 
 
 def _no_block(mark: Meaning) -> bool:

@@ -46,9 +46,8 @@ def excepted(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
 
 
 def _of_those(meaning: Meaning) -> bool:
-    """ "All of them", "the digits 1 to 6": what is known without the exception that is spoken of behind it."""
-    listed = isinstance(meaning, Noun) and len(meaning.traits.labels) > 1
-    return listed or (isinstance(meaning, Pronoun) and meaning.word in ("all of them", "them"))
+    """ "All of them": what was spoken of before, and not the exception that is spoken of behind it."""
+    return isinstance(meaning, Pronoun) and meaning.word in ("all of them", "them")
 
 
 def _new(meaning: Meaning) -> bool:

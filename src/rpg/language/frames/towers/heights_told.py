@@ -30,7 +30,12 @@ def told(pieces: Sequence[Piece]) -> str:
     Raises:
         Unclear: it does not follow how high each of them is, or where it stands.
     """
-    if _begun(pieces) or _each_or_all(pieces) or _TOGETHER.isdisjoint(piece.kind for piece in pieces):
+    if (
+        _begun(pieces)
+        or _each_or_all(pieces)
+        or _colors_known(pieces)
+        or _TOGETHER.isdisjoint(piece.kind for piece in pieces)
+    ):
         raise Unclear
     found, besides = gathered(pieces)
     possible = ways(found)
@@ -47,6 +52,20 @@ def _begun(pieces: Sequence[Piece]) -> bool:
     """ "There is a tower of two", "..., put it ...": what there is may be there at the start."""
     there = [n for n, (a, b) in enumerate(pairwise(pieces)) if _THERE.search(a.words) and b.kind in ("tower", "towers")]
     return there[:1] == [0] or (bool(there) and any(_DONE.search(piece.words) for piece in pieces[there[0] :]))
+
+
+def _colors_known(pieces: Sequence[Piece]) -> bool:
+    """ "Two towers of three blocks. The red one ...": a tower, or a block in one of them?"""
+    named = [piece.named for piece in pieces if piece.kind == "tower" and piece.named.get("color")]
+    several = any(piece.kind == "towers" for piece in pieces)
+    return (
+        several
+        and bool(named)
+        and all(one.get("det") == "the" for one in named)
+        and not any(
+            piece.kind == "looks" or (piece.kind in ("towers", "many") and piece.named.get("color")) for piece in pieces
+        )
+    )
 
 
 def _each_or_all(pieces: Sequence[Piece]) -> bool:

@@ -45,7 +45,8 @@ PATTERNS = [
         f"the (?P<rank>{_MOST}|{_LEAST})(?: (?:one|{_T}))?(?: of (?:the NUM|them|the {_TS}))?(?! than)",
         f"(?P<det>the other|another|other)(?: one(?! BLOCK))?(?! (?:{_T}|ones|\\d))",
         f"(?:(?P<det>{_DET}) )?{_T} of (?P<color>COLOR) BLOCK",
-        f"(?:the )?(?P<det>one)(?: of (?:them|the {_TS}))?(?! (?:BLOCK|more|{_T}|{_MOST}|{_LEAST}|behind|above))",
+        f"(?:the )?(?P<det>one)(?: of (?:them|the {_TS}))?"
+        f"(?! (?:BLOCK|more|{_T}|{_MOST}|{_LEAST}|behind|above|of (?:the|these|those))\\b)",
         f"the (?:(?P<side>{_END})|(?P<middle>middle|center))(?: (?:one|{_T}))(?: of (?:the NUM|them|the {_TS}))?"),
     *patterns("group", lambda match: match["which"],
         f"the (?P<which>outer|inner|other)(?: (?P<many>[2-9]))?(?: ones| {_TS})?", "the (?P<which>other)s"),

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from rpg.language import lexicon
-from rpg.language.grammar.clauses.but_for import but_not
 from rpg.language.grammar.clauses.manners import manner
 from rpg.language.grammar.clauses.may_be_so import may_be_so
+from rpg.language.grammar.clauses.not_so import not_so
 from rpg.language.grammar.clauses.nowhere import not_there
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.absolutes import absolute
@@ -135,7 +135,7 @@ def adjunct(p: Parser, i: int) -> Results[Meaning]:
         yield from limb(p, i, letter)
     yield from each_led(p, i)
     yield from offset(p, i)
-    yield from but_not(p, i)
+    yield from not_so(p, i)
 
 
 _COPULAS = frozenset(

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from rpg.language.meaning import Clause, Coord, Loc, Meaning, Noun, Pronoun, TableTop, parts_of, replace
-from rpg.passes.schema.resolve.things.world import refuse
+from rpg.language.meaning import Clause, Coord, Loc, Meaning, Noun, Pronoun, TableTop, replace
 
 _ALL = frozenset({"everything", "all", "all of them", "them", "they", "these", "those", "all of it"})
 
 
 def exception_last(clause: Clause) -> Clause:
     """The clause with the exception said of the blocks: a block is none to a patch, to the table, or to "it"."""
-    clause = _cleared_but_for(_but_for(clause))
+    clause = _cleared_but_for(clause)
     places = [x for x in clause.adjuncts if isinstance(x, Loc) and isinstance(x.landmark, Coord)]
     mark = places[0].landmark if len(places) == 1 else None
     if not isinstance(mark, Coord) or mark.op != "except" or clause.theme is None or not _universal(clause.theme):
@@ -21,30 +20,6 @@ def exception_last(clause: Clause) -> Clause:
     theme = Coord(op="except", items=(clause.theme, *mark.items[1:]), span=clause.theme.span)
     placed = replace(places[0], landmark=mark.items[0])
     return replace(clause, theme=theme, adjuncts=tuple(placed if x is places[0] else x for x in clause.adjuncts))
-
-
-def _but_for(clause: Clause) -> Clause:
-    """ "Line them up in order, all but the 4": the exception, told alone at the end, is one to the blocks."""
-    told = [x for x in clause.adjuncts if isinstance(x, Coord) and x.op == "except" and len(x.items) == 1]
-    if not told:
-        return clause
-    theme, out = clause.theme, told[0].items[0]
-    if len(told) > 1 or theme is None or not (_universal(theme) or _named_in(theme, out)):
-        raise refuse("misplaced", "it is not clear what this is an exception to", told[0].span,
-                     "say 'all blocks except ...'")  # fmt: skip
-    those = Coord(op="except", items=(theme, out), span=theme.span)
-    return replace(clause, theme=those, adjuncts=tuple(x for x in clause.adjuncts if x is not told[0]))
-
-
-def _named_in(theme: Meaning, out: Meaning) -> bool:
-    """Whether the exception is one of those that are listed, or in a range."""
-    shown = {look for part in parts_of(theme) if isinstance(part, Noun) for look in _looks(part)}
-    left = [_looks(part) for part in parts_of(out) if isinstance(part, Noun)]
-    return len(shown) > 1 and all(looks and shown.issuperset(looks) for looks in left)
-
-
-def _looks(noun: Noun) -> tuple[str, ...]:
-    return (*noun.traits.labels, *noun.traits.colors)
 
 
 def _cleared_but_for(clause: Clause) -> Clause:

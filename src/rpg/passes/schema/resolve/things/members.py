@@ -189,10 +189,6 @@ def certain(ref: Ref, scene: Scene) -> Ref:
         if ref.op == "except":
             scene.excepted |= {name for part in ref.parts[1:] for name in part.names}
             return ref.parts[0]
-        others = {t.name for t in scene.blocks() if t.declared and not t.extra and t.name not in ref.names}
-        if ref.op == "only" and others and ref.names and ref.quant is None and not ref.mixed:
-            scene.excepted |= others  # "line up only the odd ones": no other goes on with this line
-            return replace(ref, op="and")
         raise refuse("ambiguous", "it is not said which of the blocks", ref.span, "name the blocks")
     if ref.mixed:
         raise refuse("ambiguous", "it is not said which of the blocks", ref.span, "name the blocks")

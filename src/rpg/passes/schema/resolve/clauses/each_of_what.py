@@ -113,3 +113,8 @@ def _check_so_many(clause: Clause, text: str) -> None:
         if told is not None and (lexicon.NUMBER.get(many, 0) > 1 or (many.isdigit() and int(many) > 1)):
             raise refuse("ambiguous", "it is not clear how so many are to lie on one block", told.span(1),
                          EACH_TOWER)  # fmt: skip
+
+
+def first_and_last(mark: Meaning | None) -> bool:
+    """ "(A block behind) the first and the last one": one for both, or one for each?"""
+    return isinstance(mark, Coord) and all(isinstance(item, Noun) and item.traits.rank for item in mark.items)

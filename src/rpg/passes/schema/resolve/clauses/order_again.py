@@ -26,11 +26,20 @@ def check_order_again(chain: Chain) -> None:
     """Refuse "sort A, C and B, and behind them 3, 1 and 2": these could be in an order, too."""
     told = [x for x in chain.clauses if isinstance(x, Clause)]
     for before, item in pairwise(told):
+        _check_spared(before, item)
         ordered = before.verb in ("sort", "arrange", "stack") and before.mode == "command" and in_an_order(before)
         again = replace(item, verb="be", mode="goal", word=None) if item.word == before.word else item
         if ordered and merely_placed(again) and several(item.theme) and not alike(item.theme):
             raise refuse("ambiguous", "are these in an order as well, or merely there?", item.span,
                          "say 'put ... there', or in which order they are")  # fmt: skip
+
+
+def _check_spared(before: Clause, item: Clause) -> None:
+    """Refuse "clear the red mat but not the blue one": a mat, or a block?"""
+    mark, spared = before.theme, item.theme
+    patch = isinstance(mark, Noun) and mark.head == "patch" and before.verb == "remove"
+    if patch and item.lemma == "spare" and isinstance(spared, Noun) and (spared.head, spared.det) == ("any", "the"):
+        raise refuse("ambiguous", "this could be a block or a patch", spared.span, "say 'block' or 'patch'")
 
 
 def check_rebuilt(clause: Clause, told: bool) -> None:

@@ -11,7 +11,7 @@ from rpg.ir import structures as s
 from rpg.ir.node import Operand
 from rpg.language.meaning import Amount, Coord, In, Loc, Meaning, Noun, Pronoun, replace
 from rpg.passes.schema.resolve.clauses.alls import all_others
-from rpg.passes.schema.resolve.clauses.each_of_what import EACH_TOWER
+from rpg.passes.schema.resolve.clauses.each_of_what import EACH_TOWER, first_and_last
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj, negate, negation
 from rpg.passes.schema.resolve.places.alone import alone_there, none_beyond, none_there, only_here, only_on_table
 from rpg.passes.schema.resolve.places.any_patch import on_any_patch, on_just_one
@@ -309,7 +309,7 @@ def _landmarks(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.G
     one_each = each and len(mark.built) > 1
     if loc.rel == "on" and (mark.each or each) and theme.built and len(mark.names) > 1 and not mark.built:
         raise refuse("ambiguous", "one tower on all of these, or one on each?", loc.span, EACH_TOWER)
-    if one_each and loc.rel != "on" and indefinite(theme) and len(theme.names) == 1:
+    if (one_each or first_and_last(loc.landmark)) and loc.rel != "on" and indefinite(theme) and len(theme.names) == 1:
         raise refuse("ambiguous", "one for all of them, or one for each?", loc.span, "name the one of each")
     marks = [mark] if mark.each and indefinite(theme) else one_by_one(mark, loc, scene)
     if len(marks) > 1 and (theme.op in ("or", "xor") or (theme.quant is not None and theme.quant.high != 0)):

@@ -34,7 +34,7 @@ from rpg.passes.schema.resolve.things.listing import (
     repeats,
 )
 from rpg.passes.schema.resolve.things.pronouns import PAIR, others, pronoun
-from rpg.passes.schema.resolve.things.second_patch import as_those, the_only_patch
+from rpg.passes.schema.resolve.things.second_patch import the_only_patch
 from rpg.passes.schema.resolve.things.select import select
 from rpg.passes.schema.resolve.things.shares import SHARES, share_of
 from rpg.passes.schema.resolve.things.spoken import one_built
@@ -296,7 +296,7 @@ def _is_patch(noun: Noun, scene: Scene, scope: Scope) -> bool:
                     return False
                 raise refuse("ambiguous", "this could be a block or a patch", noun.span, "say 'block' or 'patch'")
             return all(t.patch for t in pool) if pool else True
-        return scope.like_patch or as_those(noun, scene) or (scope.role == "landmark" and _the_marked(noun, scene))
+        return scope.like_patch or (scope.role == "landmark" and _the_marked(noun, scene))
     return noun.head == "patch"
 
 

@@ -17,12 +17,6 @@ def one_alone(noun: Noun, scene: Scene, patch: bool) -> bool:
     return patch or not (definite or there[0].label or there[0].kind or there[0].edge or there[0].size)
 
 
-def as_those(noun: Noun, scene: Scene) -> bool:
-    """ "Clear the red mat but not the blue one": where patches alone are spoken of, it is one of these."""
-    alone = scene.things and all(thing.patch for thing in scene.things.values())
-    return noun.det == "the" and bool(noun.traits.colors) and bool(alone)
-
-
 def the_only_patch(name: str, scene: Scene) -> bool:
     """ "(Red is on the mat.) Put blue on the green one": a mat that has no colour and is "the" mat is the only one, so
     that the green one is a block."""

@@ -34,6 +34,7 @@ def told(pieces: Sequence[Piece]) -> str:
         _begun(pieces)
         or _each_or_all(pieces)
         or _colors_known(pieces)
+        or _heights_of_one(pieces)
         or _TOGETHER.isdisjoint(piece.kind for piece in pieces)
     ):
         raise Unclear
@@ -65,6 +66,14 @@ def _colors_known(pieces: Sequence[Piece]) -> bool:
         and not any(
             piece.kind == "looks" or (piece.kind in ("towers", "many") and piece.named.get("color")) for piece in pieces
         )
+    )
+
+
+def _heights_of_one(pieces: Sequence[Piece]) -> bool:
+    """ "A tower of 2, 3 and 4 blocks": one tower has one height."""
+    kinds = [piece.kind for piece in pieces]
+    return any(
+        a == "tower" and "heights" in (b, c) for a, b, c in zip(kinds, kinds[1:], [*kinds[2:], ""], strict=False)
     )
 
 

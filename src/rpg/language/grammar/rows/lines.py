@@ -119,6 +119,8 @@ LINES_IN_SHORT: tuple[Turn, ...] = (
 )  # fmt: skip
 """Lines told in few words: every second block, gaps of nothing, initials."""
 LINED_AT_ONCE: tuple[Turn, ...] = (
+    # "a row of 6, 2 red and 4 blue": six in all, and no cube that shows a 6
+    (f"\\b({_LINE}) of (\\d|{FEW}) , (?=(?:\\d|{FEW}) {COLOR})", "{1} of {2} : "),
     *LINES_IN_SHORT,
     # which of several that are in a line
     (f"^({_BLOCK_OR_LABEL} {_BE}) the ({_PLACE}(?: one| block| cube)?) of (?:the )?(?:(?:letters|digits|numbers|blocks|"

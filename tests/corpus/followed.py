@@ -27,6 +27,7 @@ REPEATS = {
     "all of them are on patches, only red ones there": r"(?:yellow|blue) patch\. (?:None on the table|Only red blocks)",
     "the middle of a tower stays so when it is reversed": r"Reverse the tower. The second one is green",
     "a pyramid is as high as its base is wide": r"pyramid with a base of three .* three blocks high",
+    "a tower of red blocks has no others": r"tower of three red blocks. Use only red blocks",
     "one of three red blocks is red": r"Sort three red .* The first is red",
 }
 """Reasons for which one more sentence says no more, with what the texts look like."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, get_args
 
 from pydantic import Field
 
@@ -58,5 +58,6 @@ Axis = Literal["x", "y"]
 Slope = Literal["rising", "falling", "diagonal"]
 """The diagonals of the table as the viewer sees it: from the near left to the far right, from the far left to the near
 right, or either of them."""
+SLOPES = get_args(Slope)
 EACH = "each"
 """The name that stands for the counted block inside `Count`."""

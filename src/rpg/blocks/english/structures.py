@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from typing import Any, get_args
+from typing import Any
 
 from rpg.blocks.english.measures import cm
 from rpg.blocks.english.orders import ATTRIBUTES, along, from_to, ordered, patterned, said_in_turn
@@ -11,7 +11,7 @@ from rpg.blocks.english.own_parts import by_parts
 from rpg.blocks.english.speaker import Speaker
 from rpg.blocks.nouns import join, number
 from rpg.ir import structures as s
-from rpg.ir.node import Slope
+from rpg.ir.node import SLOPES
 
 WAY = {"left": "to the left", "right": "to the right", "front": "to the front", "back": "to the back"}
 SIDE_BY_SIDE = 1.0
@@ -24,7 +24,7 @@ POINTER = {"L": "foot", "U": "opening", "T": "stem"}
 
 _LINES: dict[str | None, str] = {
     "x": "in a column on the table", "y": "in a row", None: "in a line",
-    **dict.fromkeys(get_args(Slope), "in a diagonal line"),
+    **dict.fromkeys(SLOPES, "in a diagonal line"),
 }  # fmt: skip
 _SLOPES: dict[tuple[str | None, str | None], str] = {
     ("rising", None): "near left to the far right", ("falling", None): "far left to the near right",

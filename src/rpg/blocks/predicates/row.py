@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from random import Random
-from typing import Any, get_args
+from typing import Any
 
 from rpg.blocks.centres import Centres, Mask
 from rpg.blocks.geometry import footprint_gap
@@ -35,7 +35,7 @@ from rpg.blocks.predicates.stack import alone
 from rpg.blocks.state import IDENTITY, BlockState, Quat, Vec3, World, yaw_quat
 from rpg.blocks.traits import AWAY, UP, Traits, symbols_shown
 from rpg.blocks.verdict import ROUNDING, Verdict, every, holds
-from rpg.ir.node import Axis, Slope
+from rpg.ir.node import SLOPES, Axis, Slope
 from rpg.ir.order import Order
 from rpg.ir.structures import Row
 
@@ -54,7 +54,6 @@ _YAWS: dict[Axis | Slope, list[float]] = {
     "y": [0.0], "x": [math.pi / 2], "rising": [_TURN], "falling": [-_TURN], "diagonal": [_TURN, -_TURN],
 }  # fmt: skip
 """How a row from left to right is turned to lie along it."""
-SLOPES = get_args(Slope)
 _ROUNDED = 3e-4
 """Metres between blocks that touch on a diagonal: places are rounded, and they must not reach into each other."""
 SIDES: dict[str, Axis] = {"left": "y", "right": "y", "front": "x", "back": "x"}

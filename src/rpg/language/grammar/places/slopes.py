@@ -1,6 +1,7 @@
 """Lines from one corner of the table towards the opposite one: "diagonally", "from the near left to the far right".
 
-A line from corner to corner would reach across all of the table: such lines are not told here."""
+A line from corner to corner would reach across all of the table: such lines are not told here.
+"""
 
 from __future__ import annotations
 
@@ -10,8 +11,8 @@ from rpg.language.meaning import Toward
 
 DIAGONAL = "diagonal"
 """The axis of a line that may lie along either of them."""
-SLOPES = {("front", "left"): "rising", ("back", "right"): "rising",
-          ("back", "left"): "falling", ("front", "right"): "falling"}  # fmt: skip
+_BEGINS = {("front", "left"): "rising", ("back", "right"): "rising",
+           ("back", "left"): "falling", ("front", "right"): "falling"}  # fmt: skip
 """Which of them begins there."""
 _DEPTHS = {"near": "front", "front": "front", "bottom": "front", "lower": "front",
            "far": "back", "back": "back", "rear": "back", "top": "back", "upper": "back"}  # fmt: skip
@@ -30,7 +31,7 @@ def slope(p: Parser, i: int) -> Results[Toward]:
         end, k = _corner(p, p.one(j, ("to", "towards", "toward"))) if j else (None, 0)
         if start and end and k and start[0] != end[0] and start[1] != end[1]:
             k = p.any_of(k, _OF_TABLE) or k
-            yield Toward(first=start[1], axis=SLOPES[start], span=p.span(i, k)), k
+            yield Toward(first=start[1], axis=_BEGINS[start], span=p.span(i, k)), k
 
 
 def _corner(p: Parser, i: int) -> tuple[tuple[str, str] | None, int]:

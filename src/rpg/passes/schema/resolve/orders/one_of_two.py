@@ -25,7 +25,7 @@ def one_of_two(noun: Noun, side: str, scene: Scene) -> Ref | None:
         return None
     told = [m for m in scene.mentions if m.clause < scene.clause]
     before = {n for m in told for n in m.ref.names}
-    if len(before) != len("ab") or any(scene.things[n].patch for n in before) or not all(m.start for m in told):
+    if len(before) != 2 or any(scene.things[n].patch for n in before) or not all(m.start for m in told):
         return None  # what is done to one of them may change which one it is
     sides: dict[str, set[str]] = {}
     for place, name in _placed(scene):
@@ -43,7 +43,7 @@ def the_other_of_two(noun: Noun, scene: Scene) -> list[Thing]:
     told = [m for m in scene.mentions if m.clause == scene.clause - 1 and not m.start]
     said = {n for m in told for n in m.ref.names}
     plain = noun.head == "any" and noun.det == "other" and not noun.plural and noun.traits == Traits()
-    if not plain or len(there) != len("ab") or len(said) != 1 or any(t.patch for t in there):
+    if not plain or len(there) != 2 or len(said) != 1 or any(t.patch for t in there):
         return []
     return [t for t in there if t.name not in said]
 

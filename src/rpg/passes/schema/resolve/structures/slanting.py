@@ -3,23 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import get_args
 
 from rpg.core.diagnostics import Span
 from rpg.ir import structures as s
-from rpg.ir.node import Slope
+from rpg.ir.node import SLOPES, Slope
 from rpg.ir.order import Order
-from rpg.language.meaning import At, Meaning, Toward, replace
+from rpg.language.meaning import At, Toward, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.things.world import refuse
 
 _ENDS = {"rising": {"front": "left", "back": "right"}, "falling": {"front": "right", "back": "left"}}
 """The left and the right end of each, by whether it is the near or the far one."""
 _SAY = "say 'a diagonal line from the near left to the far right'"
-
-
-SLOPES = get_args(Slope)
-_LINES = ("row", "line", "column", "gradient", "copies")
+_LINES = ("row", "line", "column", "gradient")
 
 
 def check_slanting(toward: Sequence[Toward], kind: str) -> None:
@@ -41,11 +37,14 @@ def slope_of(spec: Spec, kind: str, span: Span) -> Slope | None:
         raise refuse("contradiction", "a line lies along one diagonal, and a column along none", span, _SAY)
     sides = _ENDS.get(one[0], {}) if one else {}
 
-    def across(part: Meaning) -> Meaning:
-        return replace(part, side=sides.get(part.side, part.side)) if isinstance(part, At) else part
+    def across(at: At) -> At:
+        return replace(at, side=sides.get(at.side, at.side))
 
-    spec.ats = [replace(at, side=sides.get(at.side, at.side)) for at in spec.ats]
-    spec.absolutes = [replace(said, adjuncts=tuple(map(across, said.adjuncts))) for said in spec.absolutes]
+    spec.ats = [across(at) for at in spec.ats]
+    spec.absolutes = [
+        replace(said, adjuncts=tuple(across(x) if isinstance(x, At) else x for x in said.adjuncts))
+        for said in spec.absolutes
+    ]
     return one[0] if one else None
 
 

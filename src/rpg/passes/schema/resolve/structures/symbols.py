@@ -9,13 +9,13 @@ from itertools import permutations, product
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import structures as s
+from rpg.ir.node import SLOPES
 from rpg.language.meaning import Absolute, At, Meaning, Noun, Structure, Traits, Using, parts_of, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.structures.column_words import along_column, in_column
 from rpg.passes.schema.resolve.structures.equation_ends import ends_told
 from rpg.passes.schema.resolve.structures.extents import plain
 from rpg.passes.schema.resolve.structures.letters import cubes_for
-from rpg.passes.schema.resolve.structures.slanting import SLOPES
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.things import create
 from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, refuse

@@ -48,7 +48,7 @@ def excepted(pieces: Sequence[Piece]) -> list[Piece]:
         if piece.kind != "except":
             continue
         around = [p for p in (*pieces[max(n - 1, 0) : n], *pieces[n + 1 : n + 2]) if p.kind == "lot"]
-        if len(around) != len("ab") or "count" in around[0].named or lot_of(around[1]).count is None:
+        if len(around) != 2 or "count" in around[0].named or lot_of(around[1]).count is None:
             raise Unclear
         found[n] = replace(piece, kind="glue")
     return found

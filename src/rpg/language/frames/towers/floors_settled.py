@@ -72,7 +72,7 @@ def _by_turns(tower: Tower) -> list[str]:
     looks = sorted({item.look for item in tower.bare} | {look for run in tower.runs for look in run.looks})
     counts = [item.count or 0 for item in tower.bare]
     size = tower.total or (sum(counts) if len(counts) == len(looks) and all(counts) else 0)
-    if len(looks) != len("ab") or size < len(looks) or tower.ends or tower.rest:
+    if len(looks) != 2 or size < len(looks) or tower.ends or tower.rest:
         raise Unclear
     found = []
     for first, second in (looks, looks[::-1]):

@@ -308,22 +308,22 @@ class _Said:
             raise Unclear
 
     def _rel(self, piece: Piece) -> None:
-        self._stop()
-        if self.of is None or self.of == _ALL:
-            self.ahead = (piece, None)
-        elif self.beside or self.of == _GROUP:
-            raise Unclear
-        else:
-            self.waits = (piece, self.of)
+        if (of := self._told_of(piece)) is not None:
+            self.waits = (piece, of)
 
     def _side(self, piece: Piece) -> None:
+        if (of := self._told_of(piece)) is not None:
+            self._put(piece, of)
+
+    def _told_of(self, piece: Piece) -> Which | None:
+        """The tower whose place is told; None where it comes behind."""
         self._stop()
         if self.of is None or self.of == _ALL:
             self.ahead = (piece, None)
-        elif self.beside or self.of == _GROUP:
+            return None
+        if self.beside or self.of == _GROUP:
             raise Unclear
-        else:
-            self._put(piece, self.of)
+        return self.of
 
     _middle = _side
 

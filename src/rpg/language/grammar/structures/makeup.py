@@ -151,7 +151,8 @@ def _one_each(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
     lots = a_lot_each(p, k, many) if many else ()
     for told, end in lots if base.members is None else ():
         yield replace(base, details=(*base.details, told), span=p.span(i, end)), end
-    of_each = p.stands(k, ("with",)) and p.follows(k, ("each", "apiece"))  # "two of 2 blocks each with one red and ..."
+    # "each with one red and one blue" is of the blocks of a tower
+    of_each = p.stands(k, ("with",)) and p.follows(k, ("each", "apiece"))
     for found, end in wholes(p, k) if base.plural and not of_each else ():
         places = [x.adjuncts[0] for x in found.items if isinstance(x, Absolute)]
         themes = [x.theme for x in found.items if isinstance(x, Absolute)]

@@ -18,6 +18,15 @@ from rpg.core.diagnostics import Diagnostic, Refusal, Unavailable, UsageError
 from .conftest import Rpg
 
 RPG = [sys.executable, "-m", "rpg"]
+STATE = json.dumps(
+    {
+        "objects": {
+            name: {"position": [0.5, y, 0.97], "orientation": [1, 0, 0, 0]}
+            for name, y in (("red_block", 0.0), ("blue_block", 0.1), ("A_block", 0.2))
+        }
+    }
+)
+"""A state of the task `compiled`, as a line of JSON."""
 
 
 @pytest.mark.parametrize(
@@ -99,8 +108,11 @@ def test_a_bug_is_not_hidden(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_an_interrupt_is_quiet(compiled: Path) -> None:
     command = [*RPG, "check", "red-on-blue", "--states", "-", "--tasks", str(compiled)]
-    process = subprocess.Popen(command, stdin=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    time.sleep(1.5)
+    pipe = subprocess.PIPE
+    process = subprocess.Popen(command, stdin=pipe, stdout=pipe, stderr=pipe, text=True)
+    assert process.stdin and process.stdout
+    print(STATE, file=process.stdin, flush=True)
+    process.stdout.readline()  # it is at work by now, and waits for more
     process.send_signal(signal.SIGINT)
     _, said = process.communicate(timeout=20)
     assert process.returncode == 130
@@ -108,15 +120,7 @@ def test_an_interrupt_is_quiet(compiled: Path) -> None:
 
 
 def test_a_reader_that_leaves_is_no_error(compiled: Path, tmp_path: Path) -> None:
-    line = json.dumps(
-        {
-            "objects": {
-                name: {"position": [0.5, y, 0.97], "orientation": [1, 0, 0, 0]}
-                for name, y in (("red_block", 0.0), ("blue_block", 0.1), ("A_block", 0.2))
-            }
-        }
-    )
-    (tmp_path / "many.jsonl").write_text((line + "\n") * 2000)
+    (tmp_path / "many.jsonl").write_text((STATE + "\n") * 2000)
     command = [*RPG, "check", "red-on-blue", "--states", str(tmp_path / "many.jsonl"), "--tasks", str(compiled)]
     process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     assert process.stdout and process.stderr

@@ -1,0 +1,27 @@
+"""The order of the test files: the long ones first, so that no worker is left with one at the end."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+HERE = Path(__file__).parent
+LONG = (
+    "steer/test_sessions.py",
+    "steer/test_kills.py",
+    "blocks/test_random_goals.py",
+    "corpus/test_corpus.py",
+    "project/test_readme.py",
+    "steer/test_processes.py",
+    "cli/test_processes.py",
+    "batch/test_ci_examples.py",
+    "corpus/test_framed.py",
+)
+"""Files that take a minute or more, the longest first."""
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Put the long files first."""
+    rank = {HERE / name: number for number, name in enumerate(LONG)}
+    items.sort(key=lambda item: rank.get(item.path, len(LONG)))

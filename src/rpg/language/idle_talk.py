@@ -13,6 +13,7 @@ from rpg.language.about_the_task import of_the_task
 from rpg.language.idioms import IDIOMS, TIMELY
 from rpg.language.lead_ins import on_behalf, set_in
 from rpg.language.reasons import meanwhile, reason_or_aim, rewards
+from rpg.language.references import refers_or_grades
 from rpg.language.smalltalk import is_strange, small_talk
 from rpg.language.spoken_wishes import for_what
 from rpg.language.talk_forms import by_form, polite_condition, takes_care
@@ -56,7 +57,7 @@ _LATER = (
 
 def idle(tokens: Sequence[Token]) -> bool:
     """Whether these words ask for nothing, wherever they stand between marks."""
-    if way_of_working(tokens) or of_the_task(tokens):
+    if way_of_working(tokens) or of_the_task(tokens) or refers_or_grades(tokens):
         return True
     words = _plain(tokens)
     if words is None or _which(words):
@@ -109,6 +110,8 @@ def _whole_at_an_end(tokens: Sequence[Token]) -> bool:
 def reason_at(tokens: Sequence[Token], at: int) -> bool:
     """Whether all that stands from here on is a reason, whom it is for or a time of the day, unparted from a task."""
     words = _plain(tokens[at:])
+    if at and tokens[at].word in _LIMITS and refers_or_grades(tokens[at:]):
+        return True
     if words is None or at == 0:
         return False
     said = words[0] in ("if", "with", "without", "for", "in", "just", "to", "as") and IDIOMS.whole(words)
@@ -119,7 +122,13 @@ def reason_at(tokens: Sequence[Token], at: int) -> bool:
     wanted = wanted or for_what(tokens, at)
     formed = reason_or_aim(tokens[at:]) or polite_condition(words) or meanwhile(tokens[at:]) or careful or wanted
     formed = formed or rewards(tokens[at:])
+    formed = formed or (words[0] in _MEANS and way_of_working(tokens[at:]))
     return said or timely or formed or _aimed(tokens[at:], _BECAUSE) or _for_somebody(words) or _of_own_things(words)
+
+
+_MEANS = listed("with using without in by")
+_LIMITS = listed("in within with using as per like")
+"""What a way of working, and a limit or a reference, begins with that nothing parts from the task."""
 
 
 def _plain(tokens: Sequence[Token]) -> list[str] | None:

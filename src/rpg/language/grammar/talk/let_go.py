@@ -55,7 +55,10 @@ _RELEASED = (
     "<and>* open|reopen|opening <arm> <last>?",
     "<and>* move|retract|withdraw|raise|return|lift <arm>|<robot> <away>*",
     "<and>* <arm> open|opened|empty|released|away <last>?",
-    "<and>* retreat|return|go|back <away>",
+    "<and>* retreat|return|go|back <away> <away>?",
+    "and|then|and_then|, then? wait|stop|rest",
+    "and|, then|just? keep|leave|hold it|them there|like_that|in_place|that_way",
+    "<and>* without dropping|losing|breaking|damaging <held>|anything|any_of_them",
     "<and>* retreat|back_off",
     "<and>* go|return home",
 )
@@ -66,6 +69,8 @@ _RESTING = (
     "<and>* <sure>? <all> <must> stay|remain|stand|keep <lasting> <last>?",
     "<and>* <sure>? <all> stays|remains|stay|remain|keeps|stands|stand <lasting> <last>?",
     f"<and>* <sure>? <all> <must>|does|do|will|can|is_going_to not|never {_FALL} <over>? <last>?",
+    "<and>* so|so_that|such_that <all> stays|stay|remains|remain|stands|stand|holds|hold there|in_place|put|by_itself|"
+    "by_themselves|on_its_own|on_their_own|alone|up <last>?",
     "<and>* without <all>? falling|toppling|collapsing|tipping <over>?",
     "<and>* without anything|it|them|any_cube|any_block falling|toppling|collapsing|tipping <over>?",
     f"<and>* do not let|make <all> {_FALL} <over>?",

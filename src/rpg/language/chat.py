@@ -49,6 +49,8 @@ _MARKS = frozenset({"u", "n", "b", "c", "k", "r", "1", "2", "like", "kind", "sor
 def as_typed(tokens: list[Token]) -> list[Token]:
     """The tokens with the words that are meant."""
     tokens = [_drawn_out(token) for token in tokens]
+    while tokens[-1:] and tokens[-1].word == "…":
+        tokens.pop()
     words = [token.word for token in tokens]
     if _MARKS.isdisjoint(words):
         return tokens

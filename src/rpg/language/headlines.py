@@ -26,7 +26,8 @@ _TURNED = (*CHANGES, "invers")
 _STARTS = listed("initial initially start starts starting begin begins beginning before setup given swap exchange")
 _BLOCKS = frozenset(lexicon.BLOCK)
 _NUMBERED = TESTS | listed("case item requirement version req no ticket spec specification example question layout "
-                           "config configuration setting order job lot run split suite")  # fmt: skip
+                           "config configuration setting order job lot run split suite "
+                           "attempt day week batch entry session")  # fmt: skip
 """What has a number or a letter for its name."""
 
 

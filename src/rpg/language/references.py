@@ -15,14 +15,14 @@ _NUMBERS = "|".join(str(number) for number in range(31))
 _WORDS = "one|two|three|four|five|six|seven|eight|nine|ten|twelve|fifteen|twenty|thirty"
 _CLASSES = Classes({
     "n": (f"{_NUMBERS}|40|45|50|60|90|100|120|180|300|{_WORDS}|sixty|ninety",),
-    "source": ("figure|fig|section|sec|chapter|page|appendix|paper|article|video|demo|clip|tutorial|picture|photo|slide|"
-               "slides|spec|specification|specs|docs|documentation|protocol|manual|benchmark|readme|handout|lecture|"
+    "source": ("figure|fig|section|sec|chapter|page|appendix|paper|article|video|demo|clip|tutorial|picture|photo|"
+               "slide|slides|spec|specification|specs|docs|documentation|protocol|manual|benchmark|readme|handout|lecture|"
                "original|original_paper|last_video|last_demo|project_description",),
     "whose": ("the|our|my|your|this|that|their",),
     "told": ("described|specified|shown|defined|stated|noted|explained|told|demonstrated|mentioned|written|"
              "discussed|agreed|illustrated|depicted|outlined|seen|required|requested|drawn|sketched|done|used",),
-    "earlier": ("yesterday|before|earlier|previously|above|below|last_time|last_week|the_other_day|this_morning|in_class|"
-                "in_the_video|in_the_demo|in_the_lab|in_the_meeting|at_the_meeting|a_minute_ago|just_now|already",),
+    "earlier": ("yesterday|before|earlier|previously|above|below|last_time|last_week|the_other_day|this_morning|"
+                "in_class|in_the_video|in_the_demo|in_the_lab|in_the_meeting|at_the_meeting|a_minute_ago|just_now|already",),
     "who": ("i|we|you|he|she|they|my_boss|my_advisor|my_supervisor|the_teacher|my_teacher|the_instructor",),
     "showed": ("showed|told|taught|demonstrated|explained|said|did|used|asked|mentioned|described|promised|agreed|"
                "discussed|practised|practiced|had",),
@@ -52,6 +52,24 @@ _ELSEWHERE = (
     "and|but? that|this is|'s what|how <rule> <says> for|it|us? here?",
     "<rule> says|said|insists so?",
 )
+_NAMED = (
+    "a|an|another|one|the? edge|corner|base|boundary|special|limit|side_effect|failure|worst|best|use case",
+    "should you choose|wish|decide to_accept_it|to_accept",
+    "back to basics|work|business|square_one",
+    "challenge accepted",
+    "oh no|dear|boy|man|my|well|yes|great|cool|wow|dear_me",
+    "no idea if|whether this|it|that works|will_work|is_possible|makes_sense",
+    "not_sure|unsure|not_certain if|whether this|it|that works|will_work|is_possible|makes_sense",
+    "hide_and_seek|ready_,_set_,_go|on_your_marks|get_set|tidy_up_time|clean_up_time|play_time|story_time",
+    "before|after|at|until bath|bed|dinner|lunch|play|nap|snack|story time",
+    "this|it|that is|'s a|an|our|the|my warm_up|test|trial|drill|sanity_check|benchmark|probe|baseline|"
+    "warm_-_up|warm_-_up_exercise|warm_up_exercise",
+    "check|checked|tick|roger|copy_that|affirmative",
+    "tell|notify|ping|call me|us when|once|as_soon_as it|that|this|everything is|'s|has_been "
+    "done|finished|complete|over|ready",
+    "i|we will|'ll be|come|check back|in? in|within|after <n>|a_few|some minutes|hours|minute|hour|seconds|moment",
+)
+"""What a text begins or ends with that names or announces it."""
 _GRADED = (
     "it|this|that? is|'s? worth <n> point|points|pts|marks|credits?",
     "<n> point|points|pts|marks|credits|star|stars",
@@ -78,7 +96,8 @@ _GRADED = (
     "or|otherwise|or_else i|we|you|it fail|lose|fails the? course|class|exam|test|game|round?",
     "or else",
     "otherwise it|this|that is|'s|counts_as a? failure|fail|fails",
-    "the|exact|precise|all|small? details|detail|timing|speed do|does|is|are not? matter|important|relevant|"
+    "the? exact|precise|all|small? details|detail|timing|speed|position|positions|place|location|"
+    "spot do|does|is|are not? matter|important|relevant|"
     "irrelevant|unimportant here|to_me|at_all?",
     "idc|idk|dont_care|do_not_care what|where|how|which|when|which_one|which_ones|about_the_rest|about_that|"
     "about_anything_else?",
@@ -86,7 +105,7 @@ _GRADED = (
     "blocks|letters|numbers|math|towers|patches|demo|test ,? stacking|sorting|spelling|building|<level>|long_horizon|"
     "tabletop|blocks|letters|numbers|math|towers|patches|demo|test?",
 )
-_ROWS = Rows((*_ELSEWHERE, *_GRADED), _CLASSES)
+_ROWS = Rows((*_ELSEWHERE, *_NAMED, *_GRADED), _CLASSES)
 
 
 def refers_or_grades(tokens: Sequence[Token]) -> bool:

@@ -42,7 +42,7 @@ _CONNECTING = frozenset({"because", "since", "as", "so", "cause", "cos", "coz", 
                          "whenever", "if", "by", "today", "tonight", "now", "right", "immediately", "at", "this",
                          "soon", "asap", "real", "quickly", "in", "just", "straight", "pretty", "please",
                          "once", "to", "with", "provided", "such", "while", "whilst", "until", "till", "during",
-                         "without", "unless", "using", "according", "per", "on", "or"})  # fmt: skip
+                         "without", "within", "unless", "using", "according", "per", "on", "or"})  # fmt: skip
 """What a reason or a time of the day begins with that nothing parts from the task in front of it."""
 _PLEASE = frozenset({"please", "just", "now", "then", "could", "can", "kindly"})
 _TURNED = frozenset({"would", "will", "i", "we", "let", "do", "you", "make"})

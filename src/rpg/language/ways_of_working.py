@@ -38,6 +38,7 @@ _WAYS = (
     "please? without bumping|running|crashing|driving into <things>|any_of_them|the_others|others|each_other",
     "please? being careful|gentle|gentle_with_them|careful_with_them|gentle_with_it",
     "please? being careful|cautious not_to bump|hit|knock|drop <things>|any_of_them|the_others|others over|down?",
+    "please? without rushing|hurrying|hesitating|hesitation|waiting|stopping|pausing|talking|swearing|laughing",
     "and? with a steady|firm|light|gentle|calm hand|touch|grip",
     "please? make|do|keep it|this quick|fast|snappy|swift|brief please|okay?",
     "please? use|with|take|using only|just? one|the|your|a left|right|other|same|free|single? <hand> only|for_this|"

@@ -50,7 +50,7 @@ _ANYWHERE = (
     "as seen in the camera image", "in the camera image", "from the camera 's point of view",
 )  # fmt: skip
 """Phrases that carry nothing in any place."""
-_ADDRESSED_AS = ("mate", "buddy", "dude", "my friend", "pal")
+_ADDRESSED_AS = ("mate", "buddy", "dude", "my friend", "pal", "guys", "folks")
 """Whom it is said to; who wants something is spoken of."""
 _WANTS = frozenset({"wants", "likes", "would", "needs", "asks", "asked", "wanted", "prefers", "says", "said", "wishes"})
 SOFT = "(soft)"

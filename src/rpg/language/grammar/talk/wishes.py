@@ -72,7 +72,7 @@ _QUEST = (
 )
 _DONE = (
     "done|complete|completed|finished|over|successful|successfully|fulfilled|solved|reached|achieved|met|accomplished|"
-    "won|won_the_game|passed|a_success|attained|obtained|succeeded|ready|satisfied|given|through|in_success"
+    "won|won_the_game|cleared|beaten|mastered|unlocked|passed|a_success|attained|obtained|succeeded|ready|satisfied|given|through|in_success"
 )
 _WHEN = (
     "when|if|iff|once|as_soon_as|exactly_when|only_when|only_if|if_and_only_if|precisely_when|exactly_if|only_once|"
@@ -196,6 +196,7 @@ STATES = Patterns(
     "final|end|goal|target|desired? state|configuration|situation|arrangement|scene|result|layout|setup|outcome "
     "where|in_which|such_that|so_that|with|that_has|that_shows|:",
     f"success {_WHEN}",
+    f"a|the|my secret|magic|hidden|treasure|heavy? door|gate|chest|safe|lock|portal|vault|box opens|unlocks {_WHEN}",
     f"it|this|that counts only? {_WHEN}",
     f"it|this|that is|counts_as|will_be a? win|success|victory|pass {_WHEN}",
     f"the|this|a|our? check|test|trial|task|case|scenario passes|pass|is_passed|is_met|succeeds {_WHEN}",
@@ -255,12 +256,13 @@ TAGS = Patterns(
     "when you are done",
     "once|when finished",
     "in the final state",
+    "as the|a|our? final|goal|target|end|desired state|goal|target|configuration|result|arrangement|layout|condition",
     f"that|which|it|this? would|will|'d be so|really|very|just? {FINE}",
     "when|if|whenever you have|find|get|'ve_got? a|the|some? time|moment|minute|chance",
     "so|so_that i|we can|could|may take|get|make|shoot a|some|my|the? nice|good? picture|pictures|photo|photos|video|"
     "photograph of_it|of_them|of_this|of_that|afterwards?",
     f"for my|our|the|your little? {PEOPLE}|{EVENTS}",
-    "real|really|very quick|quickly",
+    "real|really|very? quick|quickly|fast please|pls|plz?",
     "is|that_is|that_'s|would_be what|all <who> want|wants|need|needs|have_in_mind|would_like|'d_like|am_after|"
     "am_looking_for|imagine",
     "if you do not mind|if_it_is_not_too_much_trouble|please",

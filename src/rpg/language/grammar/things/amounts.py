@@ -309,15 +309,20 @@ def length(p: Parser, i: int) -> Results[float]:
 
 
 def _so_colored(p: Parser, i: int) -> bool:
-    """ "The digit 2 in red (on the mat)", "the letter A in blue": no inches, as in "a 2 in red cube"."""
-    if p.words[i : i + 1] != ["in"] or p.words[i + 1] not in lexicon.COLOR:
+    """ "The digit 2 in red (on the mat)", "the letter A in blue": no inches, as in "a 2 in red cube"; nor are there any
+    in "the 3 in between (the 7 and the 8)"."""
+    if p.words[i : i + 1] != ["in"]:
         return False
+    if p.words[i + 1] not in lexicon.COLOR:
+        return i > 1 and p.words[i - 2] in _SHOWN and p.words[i + 1] in ("between", "front", "the")
     behind = i + 2
     while p.words[behind] in lexicon.COLOR or p.words[behind] in ("and", "or"):
         behind += 1
     return p.words[behind] not in lexicon.BLOCK and p.words[behind] not in lexicon.LOOSE_BLOCK
 
 
+_SHOWN = frozenset({"the", "digit", "number", "block", "cube"})
+"""Behind these a number is what a block shows."""
 _WIDE = ("block width", "block widths", "cube width", "cube widths", "block", "blocks", "cube", "cubes", "empty block",
          "empty blocks", "block 's width", "cube 's width", "block length", "block lengths", "cube length",
          "cube lengths", "block size", "width of a block", "further block", "more block")  # fmt: skip

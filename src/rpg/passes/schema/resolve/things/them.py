@@ -215,9 +215,12 @@ def _nobody(word: Pronoun) -> NoReturn:
 
 
 def of_whom(noun: Noun) -> Meaning:
-    """Of what "two of them" are two: of the last ones told together; "all of them" may be more than these."""
+    """Of what "two of them" are two: of the last ones told together; "all of them" may be more than these, and so may
+    those of whom "none of them" is so, for of two it would be "neither"."""
     of_them = isinstance(noun.part_of, Pronoun) and noun.part_of.word in ("them", "these", "those")
     if of_them and (noun.det, noun.amount, noun.traits) == ("all", None, Traits()):
+        return Pronoun(word="all of them", span=noun.span)
+    if of_them and noun.det == "no" and noun.traits == Traits():
         return Pronoun(word="all of them", span=noun.span)
     if of_them and (noun.det, noun.amount, noun.traits) == ("each", None, Traits()):
         return Pronoun(word="each of them", span=noun.span)

@@ -218,6 +218,8 @@ def _one_each(pieces: list[Piece]) -> list[Piece]:
         return pieces
     found: list[Piece] = []
     for piece in pieces:
+        if piece.kind == "even":
+            continue  # they are, for the height of each is told
         if piece.kind == "each" and piece.value:
             found.append(replace(piece, kind="size"))  # "three blocks each"
         elif piece.kind == "lot":

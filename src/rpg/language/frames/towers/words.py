@@ -68,7 +68,8 @@ PATTERNS = [
     ),
     *patterns(
         "way", None,
-        "(?:(?:reading|read|going|counted|seen) )?(?:from )?(?:the )?left (?:through )?to (?:the )?right(?: :)?",
+        "(?:(?:reading|read|going|counted|seen|in (?:that|this|the following|the given) order) )*(?:from )?(?:the )?left "
+        "(?:through )?to (?:the )?right(?: :)?",
     ),
     *patterns(
         "between", lambda match: match["color"],
@@ -209,6 +210,6 @@ f"(?P<slot>one)(?: of them)? (?:{OF}|:)(?: {OF})*", f"(?:the )?(?P<slot>one|othe
         "glue", None,
         "(?:the )?colors|sort|sorted|divide|divided|split|split up|distribute|distributed|distribute over|over|"
         "stack|stacked|up|separate|so that|such that|so|that|block|to|become|becomes|turn into|end up|ends up|them|"
-        "these|those|they|erect|raise|pile up|stack up|build up|all",
+        "these|those|they|erect|raise|pile up|stack up|build up|all|only",
     ),
 ]  # fmt: skip

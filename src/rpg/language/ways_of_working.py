@@ -80,6 +80,8 @@ _WAYS = (
     "tip_over|fall_over over|down|off|apart|afterwards|please?",
     "one is|'s|will_be|would_be enough|sufficient|fine|okay|ok|plenty",
     "not before|earlier|sooner|until_then|any_earlier",
+    "i|we? do_not|dont care|mind what|which color|colors|colours the|these|those corner|other|remaining|outer|end? "
+    "cubes|blocks|ones are|have|get",
     "i|we? do_not|dont care|mind what|which|about_the|about color|colors|colours? it_is|they_are|"
     "they_have|it_has|you_use|you_take?",
     "nothing|none_of_them|no_block|no_cube <must> fall|topple|collapse|tip|wobble|fall_down|tip_over|fall_over|"

@@ -31,6 +31,7 @@ from rpg.language.grammar.rows.counts import COUNTED, SHARED_OUT
 from rpg.language.grammar.rows.data_sheets import DATA_SHEETS
 from rpg.language.grammar.rows.distances import DISTANCES, DISTANCES_AT_ONCE, SPACED_AT_ONCE
 from rpg.language.grammar.rows.each_side import EACH_SIDE
+from rpg.language.grammar.rows.emphatic import EMPHATIC, EMPHATIC_AT_ONCE
 from rpg.language.grammar.rows.everyday import EVERYDAY, EVERYDAY_AT_ONCE
 from rpg.language.grammar.rows.faced import FACED, FACED_AT_ONCE
 from rpg.language.grammar.rows.figures import BOARDS, FIGURES
@@ -124,6 +125,7 @@ from rpg.language.tokens import Token
 _OF_ALL = (
     *NOTED_DOWN,
     *UNIDIOMATIC_AT_ONCE,
+    *EMPHATIC_AT_ONCE,
     *IN_WRITING,
     *IN_CONVERSATION,
     *CONTRASTS,
@@ -258,6 +260,7 @@ _OF_THE_UNREAD = (
     *NOMINAL,
     *TURNED_ROUND,
     *UNIDIOMATIC,
+    *EMPHATIC,
 )
 """The rows of a sentence that cannot be read as it stands."""
 _LAST_ACROSS = (*WAY_BEHIND, *CORNERS_ACROSS, *MEASURED_SO, *ACROSS)

@@ -204,7 +204,16 @@ _FRAME = (
     "i|we <may>? describe|describing|explain <pictured> <where>* <break>*",
 )
 """What stands before a description of how it is in the end."""
+_SEVERAL = (
+    "the? two|three|four|five|following|next|these|all_these|all_of_these|both things|conditions|statements|facts|"
+    "requirements|points must|have_to|should|need_to|are_to be_true|hold|be_the_case|be_met|be_so|be_fulfilled|"
+    "be_satisfied <where>*",
+    "all_of_these|all_of_this|both|all_these must|have_to|should|need_to|are_to be_true|hold|be_the_case|be_met <where>*",
+    "there are two|three|four|five things|conditions|requirements|rules|goals|criteria to_meet|to_fulfil|"
+    "to_fulfill|to_satisfy|here|for_success?",
+)
 _POINTING = (
+    *_SEVERAL,
     "<where>? ,? <table>|<pictured>|it|that|everything|things|all <just>? <may>? <just>? <looks> <so> <where>*",
     "<where>? ,? <pictured> <is> <this> <where>*",
     "here|this is|comes|follows <pictured> <where>*",
@@ -231,7 +240,7 @@ _CLOSING = (
 )
 """What is said behind a description of it all."""
 
-FRAMES = Patterns(*_FRAME, classes=_CLASSES)
+FRAMES = Patterns(*_FRAME, *(f"{several} :" for several in _SEVERAL), classes=_CLASSES)
 POINTING = Patterns(*_POINTING, classes=_CLASSES)
 CLOSING = Patterns(*_CLOSING, classes=_CLASSES)
 WHEN_DONE = Patterns("<time>", classes=_CLASSES)

@@ -196,6 +196,8 @@ STATES = Patterns(
     "final|end|goal|target|desired? state|configuration|situation|arrangement|scene|result|layout|setup|outcome "
     "where|in_which|such_that|so_that|with|that_has|that_shows|:",
     f"success {_WHEN}",
+    f"the|our|my? goal|success|predicate|condition|goal_condition|success_condition|criterion "
+    f"holds|is_met|is_true|is_satisfied|is_fulfilled {_WHEN}",
     f"a|the|my secret|magic|hidden|treasure|heavy? door|gate|chest|safe|lock|portal|vault|box opens|unlocks {_WHEN}",
     f"it|this|that counts only? {_WHEN}",
     f"it|this|that is|counts_as|will_be a? win|success|victory|pass {_WHEN}",

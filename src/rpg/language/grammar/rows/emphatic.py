@@ -1,0 +1,32 @@
+"""What people add to be sure, and what they say in more words than it takes: "of red blocks only", "do put it there",
+"on any one of them", "nothing is on top of anything", as rows that say it plainly."""
+
+from __future__ import annotations
+
+from rpg.language.grammar.rows.said_short import PLACE, THING
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, MANY, MUST
+
+_STOP = r"(?= (?:,|and|\.|;)|$)"
+_LIES = f"(?:{MUST} (?:be|lie|sit|stand|rest)|may be|can be|is|sits|lies|stands|rests)"
+
+EMPHATIC_AT_ONCE: tuple[Turn, ...] = (
+    (f"^(?:and )?nothing {_LIES} (?:on top of|on|atop|above) (?:anything|another thing|another block)(?: else)?$",
+     "no block must be on another block"),
+    ("\\b(on top of|on|onto) any one of (?=them\\b|these\\b|those\\b|the\\b)", "{1} any of "),
+)  # fmt: skip
+"""What is read otherwise, or not at all, as it stands."""
+EMPHATIC: tuple[Turn, ...] = (
+    # all of it, and nothing else
+    (f"\\bof ((?:{MANY} )?{COLOR} (?:{CUBE}s|bricks|ones)) (?:only|alone){_STOP}", "of {1}"),
+    # an order that is insisted on
+    ("(?<!not )(?<!n't )\\bdo (?=(?:put|place|stack|set|move|leave|keep|make|build|line|arrange) (?:the|an?|all|it|"
+     f"them|both|{MANY}|{COLOR}|\\w\\b))", ""),
+    (f"\\b({THING}) to be (?:kept|placed|put) (?={PLACE} )", "{1} must be "),
+    # off it, and how
+    (f"\\b(take|get|bring|lift) ({THING}) (?:down|off) from (?:the top of |on top of )?(?={THING})", "{1} {2} off "),
+    ("\\b(?:in )?(?:a )?rainbow (?:fashion|style|manner)\\b", "in rainbow order"),
+)  # fmt: skip
+"""What is looked for in a sentence that cannot be read, and what is said instead."""
+WORDS = ("fashion manner style alone kept",)
+"""Words that these take besides those that are read anyway."""

@@ -68,7 +68,7 @@ PATTERNS = [
     ),
     *patterns(
         "way", None,
-        "(?:(?:reading|read|going|counted|seen|in (?:that|this|the following|the given) order) )*(?:from )?(?:the )?left "
+        "(?:(?:reading|read|going|counted|seen|in (?:that|this|the given) order) )*(?:from )?(?:the )?left "
         "(?:through )?to (?:the )?right(?: :)?",
     ),
     *patterns(

@@ -9,6 +9,8 @@ from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, MANY, MUST
 
 _STOP = r"(?= (?:,|and|\.|;)|$)"
 _LIES = f"(?:{MUST} (?:be|lie|sit|stand|rest)|may be|can be|is|sits|lies|stands|rests)"
+_PART = "corner|middle|center|central|end|top|bottom|lowest|highest|topmost|leftmost|rightmost|uppermost"
+_FIGURE = "(?:[ltuv]|plus|plus sign|cross|pyramid|staircase|wall|grid|figure|shape|letter)"
 
 EMPHATIC_AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:and )?nothing {_LIES} (?:on top of|on|atop|above) (?:anything|another thing|another block)(?: else)?$",
@@ -23,6 +25,9 @@ EMPHATIC: tuple[Turn, ...] = (
     ("(?<!not )(?<!n't )\\bdo (?=(?:put|place|stack|set|move|leave|keep|make|build|line|arrange) (?:the|an?|all|it|"
      f"them|both|{MANY}|{COLOR}|\\w\\b))", ""),
     (f"\\b({THING}) to be (?:kept|placed|put) (?={PLACE} )", "{1} must be "),
+    # parts of the one figure there is
+    (f"\\b((?:the|its|one|a|each|every) (?:{_PART})(?: (?:block|cube|one|step))?) of the {_FIGURE}(?: shape)?{_STOP}",
+     "{1} of it"),
     # off it, and how
     (f"\\b(take|get|bring|lift) ({THING}) (?:down|off) from (?:the top of |on top of )?(?={THING})", "{1} {2} off "),
     ("\\b(?:in )?(?:a )?rainbow (?:fashion|style|manner)\\b", "in rainbow order"),

@@ -208,7 +208,8 @@ _SEVERAL = (
     "the? two|three|four|five|following|next|these|all_these|all_of_these|both things|conditions|statements|facts|"
     "requirements|points must|have_to|should|need_to|are_to be_true|hold|be_the_case|be_met|be_so|be_fulfilled|"
     "be_satisfied <where>*",
-    "all_of_these|all_of_this|both|all_these must|have_to|should|need_to|are_to be_true|hold|be_the_case|be_met <where>*",
+    "all_of_these|all_of_this|both|all_these must|have_to|should|need_to|are_to be_true|hold|be_the_case|be_met "
+    "<where>*",
     "there are two|three|four|five things|conditions|requirements|rules|goals|criteria to_meet|to_fulfil|"
     "to_fulfill|to_satisfy|here|for_success?",
 )

@@ -1,0 +1,46 @@
+"""What is added to be sure, what is said in more words than it takes, and whom "none of them" speaks of."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.language.meaning import code_of, means
+
+
+@pytest.mark.parametrize(
+    ("said", "plain"),
+    [
+        ("Build a tower of three red blocks only.", "Build a tower of exactly three red blocks."),
+        ("Do put A on B.", "Put A on B."),
+        ("Put A left of B. Nothing sits on top of anything.", "Put A left of B. Nothing must be on A and B."),
+        ("Three things have to be true. A is on B. B is on the patch.", "A is on B. B is on the patch."),
+        ("The goal holds if A is on B.", "A is on B."),
+        ("Make an L of 5 red blocks. Put A on the corner of the L.",
+         "Make an L of 5 red blocks. Put A on the corner block."),
+        ("3 towers, each 2 high, one red, one white, in that order left to right".replace("3", "2"),
+         "Build two towers, one of two red blocks and one of two white blocks. "
+         "The red tower is to the left of the white tower."),
+        ("Put the 3 in between the 7 and the 8.", "Put the block 3 between the block 7 and the block 8."),
+    ],
+)  # fmt: skip
+def test_the_same_in_fewer_words(said: str, plain: str) -> None:
+    assert means(said) == means(plain)
+
+
+@pytest.mark.parametrize("none", ["with none of them touching", "so that no two of them touch"])
+def test_of_none_of_more_than_two(none: str) -> None:
+    found = means(f"Put the red block between the green and the blue block {none}.")
+    for pair in ("red block must not touch the green", "red block must not touch the blue", "green block must not"):
+        assert pair in found
+
+
+def test_lengths_are_still_in_inches() -> None:
+    assert "gap of 5.08 cm" in means("Leave 2 in between the red and the blue block.")
+
+
+def test_a_part_of_one_of_two_figures_is_asked_for() -> None:
+    assert code_of("Make an L of 5 yellow blocks and a plus of five red ones, and put A on the corner of the L.")
+
+
+def test_what_is_denied_is_not_insisted_on() -> None:
+    assert "must not be on the gray patch" in means("Don't put A on the patch, but do put B there.")

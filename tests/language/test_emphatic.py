@@ -20,6 +20,9 @@ from tests.language.meaning import code_of, means
         ("3 towers, each 2 high, one red, one white, in that order left to right".replace("3", "2"),
          "Build two towers, one of two red blocks and one of two white blocks. "
          "The red tower is to the left of the white tower."),
+        ("Put a red block on each side of the word CAT.", "Put a red block on both sides of the word CAT."),
+        ("The robot starts with a tower of A and B. Put A on the patch.",
+         "At the start there is a tower of A and B. Put A on the patch."),
         ("Put the 3 in between the 7 and the 8.", "Put the block 3 between the block 7 and the block 8."),
     ],
 )  # fmt: skip

@@ -28,6 +28,8 @@ STARTS = Patterns(
     "where we|you|i|it start|starts|begin|begins :",
     "this_is? how it|everything|things starts|start|begins|begin|looks_at_first|look_at_first|stands_now|stand_now "
     ":|,?",
+    "the|our|your? robot|agent|arm|policy|pupils|children|kids|students|player|players|learners "
+    "start|starts|begin|begins|starts_out|starts_off with|from",
     "it|everything starts|begins|starts_out|starts_off like_this|as_follows :|,?",
     "it all starts with",
     "from a start with|where|in_which",

@@ -13,6 +13,8 @@ from rpg.passes.schema.resolve.things.operands import foot
 from rpg.passes.schema.resolve.things.things import alike
 from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
 
+_LINES = ("row", "line", "word", "equation")
+"""Their sides are their two ends."""
 _OPPOSITE = {"across": (r.LeftOf, r.RightOf), "deep": (r.InFrontOf, r.Behind)}
 
 
@@ -27,7 +29,8 @@ def flanked(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal
         raise refuse("ambiguous", "it is not clear of what these are the sides", loc.span, "name one block")
     named = len(names) == 2 and not alike([scene.things[name] for name in names])  # "C and D"
     told = "one" in loc.mods or len(theme.parts) == len(names) or named
-    if "each" in loc.mods and not told:
+    in_line = bool(mark.built) and all(built.kind in _LINES for built in mark.built)
+    if "each" in loc.mods and not told and not in_line:
         raise refuse("ambiguous", "two opposite sides, or all four?", loc.span,
                      "say 'on its left and right', or 'on all four sides'")  # fmt: skip
     fresh = indefinite(theme) and (theme.det == "a" or not _OPPOSITE.keys() & set(loc.mods))

@@ -282,7 +282,15 @@ ORDERED_AT_ONCE: tuple[Turn, ...] = (
 """What is looked for, and what is said instead."""
 _OF = "(?:formed by|formed of|made of|made from|consisting of|of)"
 
+_SIZES = "(?:(?:the |all |all the |these |their )?(?:blocks|cubes|boxes|ones|sizes|sizes of the (?:blocks|cubes)))"
+
 ORDERED: tuple[Turn, ...] = (
+    # sizes
+    *(
+        (f"^(?:({_WAY})(?: ,)? )?{_SIZES} (?:{MUST} )?{changes}(?: in size)?(?: ({_WAY}))? : (.+?)(?: in an? row)?$",
+         f"put {{3}} in a row from {order} {{1}} {{2}}")
+        for changes, order in ((_GROW, "smallest to largest"), (_SHRINK, "largest to smallest"))
+    ),
     # numbers
     (f"^(?:({_WAY})(?: ,)? )?the (row|line) {_OF} (.+?) (?:{MUST} )?{_GROW}(?: ({_WAY}))?$",
      "put {3} in a {2} in ascending order {1} {4}"),

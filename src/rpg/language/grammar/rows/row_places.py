@@ -140,7 +140,9 @@ def _counted(parts: list[_Part], size: int | None, stock: Counter[str]) -> list[
     """The parts with as many blocks as the stock has, or as the others leave."""
     told = [replace(p, many=stock[p.look]) if p.place == "rest" and stock[p.look] > 1 else p for p in parts]
     told = [replace(p, many=0) if p.place == "rest" and p.bare and size is not None else p for p in told]
-    told = [replace(p, many=2) if p.place == "ends" and p.many in (0, 1) else p for p in told]
+    around = {p.place for p in told} == {"middle", "sides"} and size is not None and size % 2 == 1
+    told = [replace(p, place="ends", many=0 if around else p.many) if p.place == "sides" else p for p in told]
+    told = [replace(p, many=2) if p.place == "ends" and p.many in (0, 1) and not around else p for p in told]
     open_ones = [p for p in told if p.many == 0]
     left = (size or 0) - sum(p.many for p in told)
     if len(open_ones) > 1 or (open_ones and left < 1):
@@ -188,6 +190,8 @@ def _part(said: str, ends: tuple[str, str], before: list[_Part]) -> _Part | None
             part = _thing(told["thing"], _numbered(told, ends) if place == "nth" else place) if told else None
             if part is not None and place == "ends" and part.many > 1 and _EACH.search(said):
                 part = replace(part, many=2 * part.many)
+            elif part is not None and place == "ends" and (part.bare or not part.many) and _SIDES.search(said):
+                part = replace(part, place="sides")
             if part is not None and (part.many or place in ("ends", "rest") or part.look):
                 return replace(part, many=before[-1].many) if part.many < 0 and before else part
     return None
@@ -195,6 +199,10 @@ def _part(said: str, ends: tuple[str, str], before: list[_Part]) -> _Part | None
 
 _EACH = re.compile(r"\b(?:each|either) (?:end|side)")
 """So many as are told are at either of them."""
+
+
+_SIDES = re.compile(r"\b(?:both|either|each|the two) sides?\b")
+"""All that is there beside the middle."""
 
 
 def _from_the_last(before: list[_Part], ends: tuple[str, str]) -> bool:

@@ -39,19 +39,30 @@ _THEY_GO = (
     "get|getting|become|becoming|grow|growing|go|going|are_getting"
 )
 _SIZES_GO = "with|so_that|such_that|so|where the|their|its size|sizes strictly?"
+_RISING = "rising|growing|ascending|increasing|upward"
+_FALLING = "falling|shrinking|descending|decreasing|downward"
+_BY_SIZE = "sorted|ordered|arranged? by|according_to|in_order_of the|their? size|sizes"
 _UP = Patterns(
     f"{_THEY_GO} bigger|larger|taller|greater",
     "so_that|such_that|so|where they|the_cubes|the_blocks strictly? increase|rise|grow|ascend in_size|in_value?",
     f"{_SIZES_GO} increasing|increases|increase|growing|grows|grow|rising|rises|rise",
     "and? then|from_there|from_there_on only? ascending|increasing|rising|going_up|growing|upwards|up",
-    f"{_IN} rising|growing|ascending|increasing|upward number|numeric|numerical|size? {_ORDER}",
+    f"{_IN} {_RISING} number|numeric|numerical|size? {_ORDER}",
+    f"{_IN} {_RISING} {_ORDER} of|by|in the|their? size|sizes",
+    f"{_IN} {_ORDER} of? {_RISING} size|sizes",
+    f"{_BY_SIZE} ,? in? a|an? {_RISING} {_ORDER}",
+    f"{_BY_SIZE} ,? {_RISING}",
 )
 _DOWN = Patterns(
     f"{_THEY_GO} smaller",
     "so_that|such_that|so|where they|the_cubes|the_blocks strictly? decrease|shrink|descend in_size|in_value?",
     f"{_SIZES_GO} decreasing|decreases|decrease|shrinking|shrinks|shrink|falling|falls|fall",
     "and? then|from_there|from_there_on only? descending|decreasing|falling|going_down|shrinking|downwards|down",
-    f"{_IN} falling|shrinking|descending|decreasing|downward number|numeric|numerical|size? {_ORDER}",
+    f"{_IN} {_FALLING} number|numeric|numerical|size? {_ORDER}",
+    f"{_IN} {_FALLING} {_ORDER} of|by|in the|their? size|sizes",
+    f"{_IN} {_ORDER} of? {_FALLING} size|sizes",
+    f"{_BY_SIZE} ,? in? a|an? {_FALLING} {_ORDER}",
+    f"{_BY_SIZE} ,? {_FALLING}",
 )
 _PAGED = Patterns(
     "reading|read|going|running|always|ordered|so_that_they_read? from? the? left to the? right "

@@ -216,8 +216,9 @@ def _in_a_whole(p: Parser, i: int) -> Results[Clause]:
                     yield built, end
                     continue
                 parts = [(x, last) for x, last in more_parts(p, i, end, first) if isinstance(x, Coord)]
-                if not parts:
-                    yield replace(built, lemma="alone"), end
+                if not parts:  # "on top of a tower of three" is a fourth one
+                    fourth = whole.kind == "stack" and p.words[told] == "on"
+                    yield replace(built, cost=int(fourth)), end
                 for more, last in parts:
                     yield replace(built, adjuncts=(more,), span=p.span(i, last)), last
 

@@ -17,17 +17,19 @@ _EACH = (
 _SHOWS = "each|every one|block|cube? shows|has|carries a"
 _NUMBER = "number|digit|value"
 _ONE = "than the one|block|cube|number|digit|letter that_is|which_is|directly|immediately|right?"
+_PREVIOUS, _NEXT = (f"than the|its {word} one|block|cube|number|digit?" for word in ("previous", "next"))
 _LESS = "smaller|littler|lower|less"
 _MORE = "bigger|larger|greater|higher"
 _SIDES = {
     "bottom": ("below|beneath|under|underneath it?",),
     "top": ("above it?", "on_top_of it"),
-    "left": ("to_the_left_of it", "to|on its left", "to_its_left|on_its_left|on_the_left", "left_of it", "before it"),
+    "left": ("to_the_left_of it", "to|on its left", "to_its_left|on_its_left|on_the_left", "left_of it", "before it?"),
     "right": ("to_the_right_of it", "to|on its right", "to_its_right|on_its_right|on_the_right", "right_of it",
-              "after it"),
+              "after it?"),
     "front": ("in_front_of it",),
     "back": ("behind it",),
 }  # fmt: skip
+_NEIGHBOR = {"left": _PREVIOUS, "right": _NEXT}
 _TOLD = tuple(
     (
         first,
@@ -40,7 +42,8 @@ _TOLD = tuple(
                     *(f"{_LEAD}? {each} {more} {_ONE} {side}" for each in _EACH),
                     f"{_LEAD}? {_SHOWS} {more} {_NUMBER} {_ONE} {side}",
                 )
-            )
+            ),
+            *(f"{_LEAD}? {each} {more} {_NEIGHBOR[first]}" for each in _EACH if first in _NEIGHBOR),
         ),
     )
     for first, sides in _SIDES.items()

@@ -333,7 +333,8 @@ def _by_attribute(p: Parser, i: int, led: bool) -> Results[Meaning]:
         yield OrderBy(by="attribute", attribute="label", span=p.span(i, k)), k
     if j:
         word = p.words[j] if j < p.end else ""
-        if word in _ATTRIBUTES:
+        further = word == "size" and any(k > j + 1 for _, k in ascent(p, i))  # "by size in descending order"
+        if word in _ATTRIBUTES and not further:
             k = p.reach(j + 1)
             k = p.opt(k, "of")
             yield OrderBy(by="attribute", attribute=_ATTRIBUTES[word], span=p.span(i, k)), k

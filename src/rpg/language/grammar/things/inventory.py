@@ -12,7 +12,7 @@ from rpg.language.grammar.things import amounts
 from rpg.language.grammar.things.adjectives import color
 from rpg.language.grammar.things.nouns import noun_phrase, simple
 from rpg.language.grammar.things.ones import of_their_kind
-from rpg.language.grammar.things.retold import all_colored, retelling
+from rpg.language.grammar.things.retold import all_colored, retelling, sized_alike
 from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, Pronoun, Size, Traits, replace
 
 _LEADS = (
@@ -213,7 +213,9 @@ def contents(p: Parser, i: int, definite: bool = False) -> list[tuple[Meaning | 
 
 
 def _whole(p: Parser, i: int, j: int, items: tuple[Noun, ...]) -> Meaning:
-    return items[0] if len(items) == 1 else Coord(op="and", items=all_colored(p, items, j), span=p.span(i, j))
+    if len(items) == 1:
+        return items[0]
+    return Coord(op="and", items=all_colored(p, sized_alike(p, items), j), span=p.span(i, j))
 
 
 @rule

@@ -266,7 +266,7 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
         if not joined and len(items) == 1 and (again := the_other(items[0], item)) is not None:
             yield from ((replace(again, span=p.span(i, j)), end) for end in {j: None, p.opt(j, ","): None})
             continue
-        whole = all_colored(p, extra_alike(sized_alike((*items, item))), j)
+        whole = all_colored(p, extra_alike(sized_alike(p, (*items, item))), j)
         if isinstance(item, Noun) and item.traits.extra and not any(_is_extra(x) for x in whole[:-1]):
             whole = (*whole[:-1], replace(item, cost=item.cost + 3))
         if joined and now == "and" and (named := named_together(whole)) is not None:

@@ -9,6 +9,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.things.adjectives import color
 from rpg.language.grammar.things.labels import label_list
+from rpg.language.grammar.things.retold import sized_alike
 from rpg.language.later import later
 from rpg.language.meaning import Meaning, Noun, Traits, replace
 from rpg.language.tokens import Token
@@ -34,7 +35,7 @@ def listed(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
             yield tuple(Noun(head="any", traits=Traits(labels=(a,)), span=span) for a in labels), j
     for first, j in simple(p, i):
         if isinstance(first, Noun) and not (first.plural and len(first.traits.labels) == 1):
-            yield from ((_one_by_one(items), k) for items, k in _more(p, (first,), j))
+            yield from ((_one_by_one(sized_alike(p, items)), k) for items, k in _more(p, (first,), j))
 
 
 def _one_by_one(items: tuple[Meaning, ...]) -> tuple[Meaning, ...]:

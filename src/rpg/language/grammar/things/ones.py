@@ -20,14 +20,14 @@ def of_their_kind(p: Parser, listed: Meaning) -> Meaning:
     for noun in nouns:
         if noun.head != "any":
             kind = "patch" if noun.head == "patch" else "block"
-        found.append(replace(noun, head=kind) if noun.head == "any" and _says_ones(p, noun) else noun)
+        found.append(replace(noun, head=kind) if noun.head == "any" and says_ones(p, noun) else noun)
     return listed if found == nouns else replace(listed, items=tuple(found))
 
 
 def begins_with_ones(p: Parser, listed: Meaning) -> bool:
     """Whether what is named first in a list stands for something before the list."""
     first = _flat(listed)[0]
-    return isinstance(first, Noun) and first.head == "any" and _says_ones(p, first)
+    return isinstance(first, Noun) and first.head == "any" and says_ones(p, first)
 
 
 def _flat(listed: Meaning) -> tuple[Meaning, ...]:
@@ -36,5 +36,6 @@ def _flat(listed: Meaning) -> tuple[Meaning, ...]:
     return (listed,)
 
 
-def _says_ones(p: Parser, noun: Noun) -> bool:
+def says_ones(p: Parser, noun: Noun) -> bool:
+    """Whether "one" or "ones" is its noun."""
     return any(token.word in _ONES and token.span[1] == noun.span[1] for token in p.tokens)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import string
 
 from rpg.language.grammar.core import Parser
+from rpg.language.grammar.things.ones import says_ones
 from rpg.language.meaning import (
     Absolute,
     Amount,
@@ -262,17 +263,20 @@ def named_together(items: tuple[Meaning, ...]) -> Noun | None:
     return replace(last, traits=replace(last.traits, colors=colors)) if last.head != "any" else None
 
 
-def sized_alike(items: tuple[Meaning, ...]) -> tuple[Meaning, ...]:
-    """ "two big and two small red blocks": what the noun says besides the size is said of all of them."""
+def sized_alike(p: Parser, items: tuple[Meaning, ...]) -> tuple[Meaning, ...]:
+    """ "two big and two small red blocks", "a big and a small red one", "small and big red": what is said behind the
+    last size is said of all of them."""
     last = items[-1]
-    if not (isinstance(last, Noun) and last.traits.size and last.head == "block" and (last.plural or last.amount)):
+    if not (isinstance(last, Noun) and last.traits.size and last.head in ("block", "any") and last.part_of is None):
+        return items
+    if last.head == "any" and last.traits == Traits(size=last.traits.size):
         return items
     found: list[Meaning] = []
     for item in items[:-1]:
         sized = isinstance(item, Noun) and item.head == "any" and item.traits == Traits(size=item.traits.size)
-        if not (sized and isinstance(item, Noun) and item.traits.size):
+        if not (sized and isinstance(item, Noun) and item.traits.size) or (last.head == "any" and says_ones(p, item)):
             return items
-        found.append(replace(item, head="block", traits=replace(last.traits, size=item.traits.size)))
+        found.append(replace(item, head=last.head, traits=replace(last.traits, size=item.traits.size)))
     return (*found, last)
 
 

@@ -113,23 +113,12 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
             _ordered_once(builder, clause)
             built = replace(builder, adjuncts=(*builder.adjuncts, *clause.adjuncts))
             found[line][place] = (found[line][place][0], built)
-    _others_told(found)
     found = [groups_joined(kept) for kept in found]
     left = [n for n, kept in enumerate(found) if kept]
     said_so = {n: tuple(sorted_with_strangers(all_used(c)) for _, c in found[n]) for n in left}
     return [links[n] for n in left], tuple(
         replace(chains[n], clauses=said_so[n], links=tuple(link for link, _ in found[n])) for n in left
     )
-
-
-def _others_told(found: list[list[tuple[str, Meaning]]]) -> None:
-    """Refuse "red is third in a row of five" where nothing is said of the look of the other four."""
-    clauses = [said for kept in found for _, said in kept if isinstance(said, Clause)]
-    told = [getattr(c.theme, "word", getattr(c.theme, "det", "")) for c in clauses]
-    others = any({"other", "others", "rest", "remaining"} & {*word.split()} for word in told if word)
-    for said in clauses if not others else ():
-        if said.lemma == "alone" and len(said.adjuncts) == 1 and _unlooked(said):
-            raise refuse("ambiguous", "it is not said what the other blocks look like", said.span, "say it")
 
 
 def _on_the_part(found: list[list[tuple[str, Meaning]]], said: Clause) -> bool:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections import Counter
+
 from rpg.ir.order import Attribute
 from rpg.language.lexicon import COLORS, RAINBOW
 from rpg.language.meaning import At, Coord, Noun, OrderBy, Structure, Traits, replace
@@ -81,6 +83,11 @@ def alternating(order: OrderBy, things: list[Thing], scene: Scene) -> Attribute:
         return "color"
     if (attribute := _telling(things)) == "color":
         _two_colors(things, order.by, scene)
+    if order.by == "mirrored" and attribute in ("color", "label"):
+        looks = Counter(t.color if attribute == "color" else t.label for t in things)
+        if sum(many % 2 for many in looks.values()) > 1:
+            raise refuse("contradiction", "no order of these blocks is its own mirror image", order.span,
+                         "have two of each, and at most one that stands in the middle")  # fmt: skip
     return attribute
 
 

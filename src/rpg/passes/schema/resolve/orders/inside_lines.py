@@ -27,24 +27,43 @@ _LINES = {
 
 def in_a_line(clause: Clause) -> tuple[Clause, ...]:
     """The clauses that build the line and say where the block is in it; none where this is not said."""
-    place = clause.adjuncts[0] if len(clause.adjuncts) == 1 else None
     theme = clause.theme
     if clause.verb not in ("be", "place") or clause.mode == "start" or not isinstance(theme, Noun):
         return ()
-    if not isinstance(place, Loc) or place.second is not None or place.mods or place.low is not None:
+    line, at_ = _place(clause)
+    if line is None or at_ is None or line.plural or theme.plural or _look(theme) is None:
         return ()
-    line, side = _part(place)
-    if line is None or side not in _LINES.get(line.kind, ()) or line.plural or theme.plural or line.members is None:
+    if at_.side not in _LINES.get(line.kind, ()):
         return ()
-    if _look(theme) is None or _look(theme) not in [_look(item) for item in _items(line.members)]:
+    if not _unlooked(line) and _look(theme) not in [_look(item) for item in _items(line.members)]:
         return ()
-    at_ = At(side=side, span=place.span)
     line = replace(line, det="a")
-    if not (clause.negated or place.negated):
+    if not (clause.negated or any(getattr(place, "negated", False) for place in clause.adjuncts)):
         within = Absolute(theme=theme, adjuncts=(at_,), span=clause.span)
         return (Clause(verb="build", theme=line, adjuncts=(within,), mode="goal", span=clause.span),)
     said = replace(clause, verb="be", lemma="", theme=replace(theme, det="the"), adjuncts=(at_,), negated=True)
     return Clause(verb="build", theme=line, mode="goal", span=line.span), said
+
+
+def _place(clause: Clause) -> tuple[Structure | None, At | None]:
+    """The line, and the place in it that is meant: "in the middle of a row of three", "in the middle, in a row of
+    three", "center it in a row of three"."""
+    into = [a.structure for a in clause.adjuncts if isinstance(a, Into) and isinstance(a.structure, Structure)]
+    places = [a for a in clause.adjuncts if isinstance(a, At | Loc)]
+    if len(into) + len(places) < len(clause.adjuncts) or len(into) > 1:
+        return None, None
+    if into and _unlooked(into[0]):
+        if clause.lemma == "center" and not places:
+            return into[0], At(side="middle", span=clause.span)
+        at_ = places[0] if len(places) == 1 else None
+        return into[0], at_ if isinstance(at_, At) and at_ == At(side=at_.side, span=at_.span) else None
+    place = places[0] if len(places) == 1 and not into else None
+    if not isinstance(place, Loc) or place.second is not None or place.mods or place.low is not None:
+        return None, None
+    line, side = _part(place)
+    if line is not None and place.rel == "on" and _unlooked(line):
+        return None, None  # "on top of a tower of three": a fourth one
+    return line, At(side=side, span=place.span)
 
 
 def _part(place: Loc) -> tuple[Structure | None, str]:
@@ -59,7 +78,16 @@ def _part(place: Loc) -> tuple[Structure | None, str]:
     return None, ""
 
 
-def _items(members: Meaning) -> tuple[Meaning, ...]:
+def _unlooked(line: Structure) -> bool:
+    """ "a row of three": of its blocks no more is said than how many they are."""
+    blocks = line.members
+    if blocks is None:
+        return line.size is not None and line.traits == Traits() and not line.details
+    plain = isinstance(blocks, Noun) and blocks.traits == Traits() and blocks.det == "bare" and not blocks.part_of
+    return plain and isinstance(blocks, Noun) and blocks.amount is not None
+
+
+def _items(members: Meaning | None) -> tuple[Meaning, ...]:
     if isinstance(members, Coord):
         return members.items if members.op == "and" else ()
     if isinstance(members, Noun) and len(members.traits.colors) > 1 and not members.traits.either:

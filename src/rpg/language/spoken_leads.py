@@ -248,8 +248,9 @@ _GIVEN = listed(
 """What is said in front of the condition under which it is well done."""
 _VERDICTS = listed(
     "reward score return award grant pass accept success succeed succeeds win end ends ended "
-    "stop stops finish finishes done solved credit yield yields successful correct valid point points marks true accepted complete completed finished passes passed "
-    "succeeded rewarded wins won receives earns gains scores +1"
+    "stop stops finish finishes done solved credit yield yields successful correct valid point points marks true "
+    "accepted complete completed finished passes passed succeeded rewarded wins won receives earns gains "
+    "scores +1"
 )
 _WHEN = (("is", "defined", "as"), ("is", "defined", "by"), ("means", "that"), ("means",), ("requires", "that"),
          ("requires",), ("if", "and", "only", "if"), ("only", "if"), ("only", "when"), ("exactly", "when"),

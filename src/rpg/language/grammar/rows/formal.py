@@ -54,7 +54,7 @@ from rpg.language.grammar.rows.listed_lines import listed_lines
 from rpg.language.grammar.rows.listed_of_all import listed_of_all
 from rpg.language.grammar.rows.lots_told import LOTS, LOTS_AT_ONCE
 from rpg.language.grammar.rows.lying_there import LYING_THERE_AT_ONCE
-from rpg.language.grammar.rows.mats_hold import MATS_HOLD, ON_SOME_MAT
+from rpg.language.grammar.rows.mats_hold import MATS_HOLD, MATS_HOLD_AT_ONCE, ON_SOME_MAT
 from rpg.language.grammar.rows.measured_so import MEASURED_SO
 from rpg.language.grammar.rows.moved_off import MOVED_OFF_AT_ONCE, OFF_ONTO
 from rpg.language.grammar.rows.nominal import NOMINAL, NOMINAL_AT_ONCE
@@ -188,6 +188,7 @@ _OF_ALL = (
     *KEPT_AT_ONCE,
     *SEPARATELY,
     *LYING_THERE_AT_ONCE,
+    *MATS_HOLD_AT_ONCE,
     *BARRED_THERE_AT_ONCE,
     *OWN_COLOR_AT_ONCE,
     *EACH_THERE,

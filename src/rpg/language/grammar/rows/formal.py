@@ -60,6 +60,7 @@ from rpg.language.grammar.rows.moved_off import MOVED_OFF_AT_ONCE, OFF_ONTO
 from rpg.language.grammar.rows.nominal import NOMINAL, NOMINAL_AT_ONCE
 from rpg.language.grammar.rows.not_at_end import NOT_THERE, NOT_THERE_AT_ONCE, not_at_end
 from rpg.language.grammar.rows.not_consecutive import not_consecutive
+from rpg.language.grammar.rows.not_falling import not_falling
 from rpg.language.grammar.rows.noted_down import NOTED_DOWN
 from rpg.language.grammar.rows.of_each_color import of_each_color
 from rpg.language.grammar.rows.on_several import ON_SEVERAL, ON_SEVERAL_AT_ONCE
@@ -331,7 +332,7 @@ _CHANGES = (
     swapped_over, result_told, palindromes, one_more, all_sides, around_named, some_of_the_letters, row_with_ends,
     other_end_named, rows_by_number, told_by_places, _steps_told, _one_of_each, of_each_color, corners_again,
     not_at_end, of_the_figure, word_again, range_but, not_consecutive, so_many_inside, so_many_on_each,
-    others_elsewhere, others_counted, word_of_letters, leave_to_move, listed_of_all, row_edited,
+    others_elsewhere, others_counted, word_of_letters, leave_to_move, listed_of_all, row_edited, not_falling,
 )  # fmt: skip
 """What is told otherwise before the rows are looked for, in this order."""
 

@@ -12,7 +12,9 @@ _HOLDS = f"(?:(?:{MUST}|may|can|is allowed to) {_HOLD}|holds|has|carries|contain
 _ON_IT = "(?: on (?:it|them|top))?"
 _LOT = f"({MANY}(?: {COLOR})?)(?: {_BLOCK})?"
 _FIXED = f"(?:an? (?:{COLOR} )?|{MANY} (?:{COLOR} )?)(?:blocks?|cubes?|bricks?|{PATCHES}|{PATCH})"
-_SO_MANY_EACH = f"(?:exactly |just |only |at least |at most )?{MANY}(?: {_BLOCK})? (?:per|(?:on|onto|in|for|to) (?:each|every))"
+_SO_MANY_EACH = (
+    f"(?:exactly |just |only |at least |at most )?{MANY}(?: {_BLOCK})? (?:per|(?:on|onto|in|for|to) (?:each|every))"
+)
 
 MATS_HOLD_AT_ONCE: tuple[Turn, ...] = (
     # the stock by itself, and in front of what each mat gets, of which it is no part

@@ -8,7 +8,7 @@ from dataclasses import replace
 from rpg.language import lexicon
 from rpg.language.grammar.rows.across import ACROSS
 from rpg.language.grammar.rows.all_sides import all_sides
-from rpg.language.grammar.rows.alternatives import ALTERNATIVES, ALTERNATIVES_AT_ONCE
+from rpg.language.grammar.rows.alternatives import ALTERNATIVES, ALTERNATIVES_AT_ONCE, EITHER_WAY
 from rpg.language.grammar.rows.around_it import AROUND_AT_ONCE, around_named
 from rpg.language.grammar.rows.asked_aloud import ASKED_ALOUD, ASKED_ALOUD_AT_ONCE
 from rpg.language.grammar.rows.barred_there import BARRED_THERE, BARRED_THERE_AT_ONCE
@@ -29,6 +29,7 @@ from rpg.language.grammar.rows.corners import corners_again
 from rpg.language.grammar.rows.corners_told import CORNERS_ACROSS, CORNERS_AT_ONCE, CORNERS_TOLD
 from rpg.language.grammar.rows.counts import COUNTED, SHARED_OUT
 from rpg.language.grammar.rows.data_sheets import DATA_SHEETS
+from rpg.language.grammar.rows.destinations import DESTINATIONS
 from rpg.language.grammar.rows.distances import DISTANCES, DISTANCES_AT_ONCE, SPACED_AT_ONCE
 from rpg.language.grammar.rows.each_side import EACH_SIDE
 from rpg.language.grammar.rows.everyday import EVERYDAY, EVERYDAY_AT_ONCE
@@ -260,6 +261,7 @@ _OF_THE_UNREAD = (
     *NOMINAL,
     *TURNED_ROUND,
     *UNIDIOMATIC,
+    *DESTINATIONS,
 )
 """The rows of a sentence that cannot be read as it stands."""
 _LAST_ACROSS = (*WAY_BEHIND, *CORNERS_ACROSS, *MEASURED_SO, *ACROSS)
@@ -270,6 +272,7 @@ AT_ONCE, UNREAD, OVER_ALL = (
         (
             *IGNORED_THERE,
             *FALLEN,
+            *EITHER_WAY,
             *OFF_ONTO,
             *WHICHEVER,
             *ON_SOME_MAT,

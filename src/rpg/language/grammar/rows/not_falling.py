@@ -23,12 +23,13 @@ _SENTENCE = "(?:^|(?<= [.;] ))(?:please |and |but |also )*"
 _END = "(?= [.;!]|$)"
 _VERBS = {"moving": "move", "putting": "put", "placing": "place", "stacking": "stack", "setting": "set",
           "bringing": "bring", "building": "build", "making": "make", "taking": "take"}  # fmt: skip
+_WHO = "(?:you|we|the robot|it)"
 _STAYS = "must stay standing"
 
 _TURNS = Turns((
     *((f"{_SENTENCE}(?:do not|never) (?:let|make) {_IT} (?:ever )?{_FALL}(?: ,)? (?:while|when|as) {doing} ",
        f"{{1}} {_STAYS} . {verb} ")
-      for done, verb in _VERBS.items() for doing in (done, f"(?:you|we|the robot|it) (?:are |is )?(?:{done}|{verb}s?)")),
+      for done, verb in _VERBS.items() for doing in (done, f"{_WHO} (?:are |is )?(?:{done}|{verb}s?)")),
     (f"{_SENTENCE}(?:do not|never) (?:let|make) ({_TOWER}) (?:ever )?{_FALL}{_END}", f"{{1}} {_STAYS}"),
     (f"{_SENTENCE}({_TOWER}) (?:{MUST}|may|can) (?:not|never) (?:ever )?{_FALL}{_END}", f"{{1}} {_STAYS}"),
     (f"^{_BEGUN} \\. (?:do not|never) let it (?:ever )?{_FALL}{_END}", f"{{1}} . it {_STAYS}"),

@@ -239,17 +239,18 @@ def bends(word: str) -> bool:
 
 _GIVEN = listed(
     "reward score return give award get grant assign output pay earn receive pass accept success succeed succeeds "
-    "win terminate done solved point points the a an one 1 1.0 + full marks true yes agent robot policy you "
-    "episode of is are will be it this task only as with and ends end finish finishes finished complete completed "
-    "considered successful counted counts count positive credit mark judge grade evaluate to trial run attempt we "
-    "i ok okay valid receives gets earns gains obtains scores rewarded +1 correct yield yields ticked tick green "
-    "light candidate solution sparse binary : ="
+    "win done solved point points the a an one 1 1.0 + full marks true yes agent robot policy you "
+    "episode of is are will be it this task only as with and ends end ended finish finishes finished complete "
+    "completed considered successful counted counts count positive credit mark judge grade evaluate to trial run we "
+    "attempt i ok okay valid receives gets earns gains obtains scores rewarded +1 correct yield yields ticked tick "
+    "green light candidate solution sparse binary stop stops : ="
 )
 """What is said in front of the condition under which it is well done."""
 _VERDICTS = listed(
-    "reward score return award grant pass accept success succeed succeeds win terminate done solved credit yield "
-    "yields successful correct valid point points marks true accepted complete completed finished passes passed "
-    "succeeded rewarded wins won receives earns gains scores +1"
+    "reward score return award grant pass accept success succeed succeeds win end ends ended "
+    "stop stops finish finishes done solved credit yield yields successful correct valid point points marks true "
+    "accepted complete completed finished passes passed succeeded rewarded wins won receives earns gains "
+    "scores +1"
 )
 _WHEN = (("is", "defined", "as"), ("is", "defined", "by"), ("means", "that"), ("means",), ("requires", "that"),
          ("requires",), ("if", "and", "only", "if"), ("only", "if"), ("only", "when"), ("exactly", "when"),

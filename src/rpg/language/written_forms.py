@@ -44,6 +44,8 @@ AMERICAN = {
     **{form + end: f"block{'s' * bool(end)}" for form in ("crate", "carton", "parcel", "package") for end in ("", "s")},
     "bin": "patch", "bins": "patches", "pallet": "patch", "pallets": "patches",
     "bench": "table", "workbench": "table", "worktop": "table", "countertop": "table",
+    **{word + said: meant for word in ("terminat", "conclud")
+       for said, meant in (("e", "end"), ("es", "ends"), ("ed", "ended"), ("ing", "ending"))},
     "policy": "agent", "controller": "agent", "planner": "agent", "learner": "agent",
 }  # fmt: skip
 """Spellings that are read as one."""

@@ -219,6 +219,9 @@ _TOLD: tuple[tuple[str, Check], ...] = (
      r"two)? "
      r"(?:is|comes|goes|ends up)(?: lying)? (?:on top|at the bottom|first|last|on the left|on the right|uppermost)",
      _anyway),
+    (r"(?:it (?:does not matter|makes no difference|is not important)|no matter|(?:i|we) do not (?:care|mind)) "
+     r"(?:whether|if) (?:\w+ ){1,3}or (?:\w+ ){1,3}(?:is|comes|goes|ends up) (?:on top|at the bottom|first|last|on the "
+     r"left|on the right|uppermost)", _anyway),
     (r"(?:the )?(?P<color>\w+)(?: one| block| cube)?(?: is| being| as)? (?:the )?(?:bottom|lowest|bottommost) "
      r"(?:one|block)?",
      _lowest),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from rpg.language.grammar.clauses.emptied import emptied
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.things.nouns import noun_phrase, simple
 from rpg.language.meaning import Amount, Clause, Loc, Meaning, Noun, Pronoun, Structure, Using, replace
@@ -20,8 +21,7 @@ _FILL = frozenset({"fill", "occupy"})
 def covered(p: Parser, i: int) -> Results[Clause]:
     """Something is covered with a block."""
     j = p.one(i, _COVER) or p.one(i, _FILL)
-    yield from _with_anything(p, i)
-    yield from _emptied(p, i)
+    yield from (*_with_anything(p, i), *emptied(p, i))
     for under, k in simple(p, j) if j else ():
         lead = p.one(k, "with")
         for over, end in simple(p, lead) if lead and isinstance(under, Noun | Pronoun | Structure) else ():
@@ -54,27 +54,6 @@ def _with_anything(p: Parser, i: int) -> Results[Clause]:
 def _one_there(under: Meaning, over: Meaning) -> bool:
     patch = isinstance(under, Noun) and under.head == "patch"
     return patch and isinstance(over, Noun) and over.amount == Amount(1, 1)
-
-
-_CLEAR = ("uncover", "unload", "empty", "clear", "vacate", "free up", "free", "empty out", "clear off")
-_LEFT = tuple(
-    f"{also}{leave} it {empty}{here}"
-    for also in ("and ", ", then ", "and then ", ", ", ", and ")
-    for leave in ("leave", "keep")
-    for empty in ("empty", "clear", "free", "uncovered", "bare", "unoccupied", "like that", "that way")
-    for here in ("", " at the end", " in the end")
-)
-
-
-def _emptied(p: Parser, i: int) -> Results[Clause]:
-    """ "Uncover the green patch", "clear the green patch and leave it empty": nothing is on it at the end."""
-    j = p.any_of(i, _CLEAR)
-    for patch, k in simple(p, j) if j else ():
-        left = p.any_of(k, _LEFT)
-        alone = p.words[j - 1] in _BARE and (k >= p.end or p.stands(k, _CLOSED))
-        if isinstance(patch, Noun) and patch.head == "patch" and (left or alone):
-            end, word = left or k, p.span(i, j)
-            yield Clause(verb="remove", lemma="clear", theme=patch, span=p.span(i, end), word=word), end
 
 
 _CLOSED = frozenset({",", ";", "and", "then", "."})

@@ -51,6 +51,12 @@ ALTERNATIVES: tuple[Turn, ...] = (
     (f"^both ([^,]+? {PLACE} [^,]+?) and ([^,]+? {PLACE} [^,]+?) {_PASS}$", "{1} or {2}"),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
+EITHER_WAY: tuple[Turn, ...] = (
+    (f"^(?:it|this) (?:{_VAIN}|makes no difference|is (?:irrelevant|unimportant|not important))(?: to me)? "
+     f"(?:whether|if) ([^.]+? {PLACE} [^.]+? or [^.]+? {PLACE} [^.]+?){_BUT}(?: (?:at least )?one of (?:them|these|the "
+     "two) (?:is|must be|has to be|should be)(?: so| true| the case)?)?(?: \\.)?$", "{1} ."),
+)  # fmt: skip
+"""Over a whole text that says nothing else: one of the two is what is wanted."""
 WORDS = ("accept allow count following statements conditions true case met fulfilled satisfied applies apply holds "
          "irrelevant unimportant matter difference mind care solution result success",)  # fmt: skip
 """Words that these take besides those that are read anyway."""

@@ -22,6 +22,10 @@ _SHOWN = "(?:demo|demonstration|video|clip|recording|animation|film|movie|rollou
 _NO_MATTER = ("(?:it is (?:not important|unimportant|irrelevant|all the same|not relevant)|it (?:does not|makes no) "
               "(?:matter|difference)|no matter|(?:i|we) (?:do not|really do not) (?:mind|care)) which"
               "(?: one| of them| of the two)?(?: it is)?")  # fmt: skip
+_ALL_THE_SAME = (
+    "(?:it (?:does not|makes no) (?:matter|difference)|it is all the same|(?:both|either)(?: one| way)? "
+    "(?:is|are) (?:fine|ok|okay|good|all right|allowed)|(?:i|we) do not (?:mind|care))(?: to me| for me)?"
+)
 BESIDES_AT_ONCE: tuple[Turn, ...] = (
     # what is there besides
     (f"^(?:as|for) {_DISTRACTION}(?: ,)? {_LIE}({_LOTS}){_THERE}$", "there are {1} as distractors"),
@@ -49,6 +53,7 @@ BESIDES_AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:after|following|at the end of|by the end of) (?:the|an|each|every) {_RUN}(?: ,)? (?=\\w)", "at the end ,"),
     # which of two
     (f"(?: ,)?(?: and| but)? {_NO_MATTER}$", ""),
+    (f"^(.+? or .+?)(?: ,)?(?: and| but)? {_ALL_THE_SAME}$", "{1}"),
     (f"^(?:one|exactly one|just one) of (?:the two|them|these)(?: {BLOCK}s)? , ({THING}) or ({THING}) , {IS} on the "
      "other(?: one)?$", "{1} must be on {2} or {2} must be on {1}"),
 )  # fmt: skip

@@ -46,7 +46,7 @@ BUT_ONE_AT_ONCE: tuple[Turn, ...] = (
 )  # fmt: skip
 """What could be meant in several ways as it stands."""
 BUT_ONE: tuple[Turn, ...] = (
-    (f"\\b(all but (?:{FEW}))(?=$| ,| and\\b| {PLACE} )", "{1} of them"),
+    (f"\\ball (?:but|except|save)(?: for)? ({FEW})(?=$| ,| and\\b| {PLACE} )", "all but {1} of them"),
     *((f"^(leave|keep) ({_ALL}) ({_THERE})(?: ,)? {_EXCEPT} ({THINGS}){tail}$",
        f"{{1}} {{2}} except {{4}} {{3}} {more}")
       for tail, more in (("", ""), (f"(?: ,)? (?:which|that) {_GOES}", ". {4} {5}"))),

@@ -263,10 +263,17 @@ EVERYDAY_AT_ONCE: tuple[Turn, ...] = (
      "i want a {1}"),
     (f" (?:as long as|provided(?: that)?|so long as) the (top|bottom)(?: one| block)? is ({COLOR})$", " with a {2} "
      "block at the {1}"),
-    (f"^nothing (?:else )?(?:but|except(?: for)?|other than) (.+?) ({MUST}) be (?=on|in)", "only {1} {2} be "),
+    (f"^nothing (?:else )?(?:but|except(?: for)?|other than|besides|apart from) it ({MUST}|may|can) be (?=on|in|there)",
+     "no other block {1} be "),
+    (f"^(no other (?:block|cube|one|{_BLOCKS})) (?:is|are) (?:allowed|permitted) (?=on|in|there)", "{1} may be "),
+    (f"^nothing (?:else )?(?:but|except(?: for)?|other than) (.+?) ({MUST}|may|can) be (?=on|in)",
+     "only {1} {2} be "),
     (f"^(?:make |build |form )?({MANY}) pairs(?: of (?:blocks|cubes))?(?: ,| :)? each (?:of |being |consisting of |is "
      f")?(?:a|one) ({COLOR})(?: block| one)? (?:next to|beside|and|with) (?:a|one) ({COLOR})(?: block| one)?$",
      "put each of the {1} {2} blocks next to a {3} block of its own"),
+    (f"^(?:pair up|pair|match|couple) (?:up )?(?:each|every|each of the|the) ({COLOR})(?: {_BLOCKS}| block| cube| one)?"
+     f" with (?:an?|one|the|its) ({COLOR})(?: {_BLOCKS}| block| cube| one)?(?= ,|$)(?: , one each)?"
+     "(?: , side by side)?", "put each {1} block next to its own {2} block"),
     (f"\\bmake two pairs(?: of blocks)?(?: ,| :)? ({COLOR}) (?:with|and) ({COLOR})(?: ,| and| , and)+ ({COLOR}) "
      f"(?:with|and) ({COLOR})$", "put {1} next to {2} and {3} next to {4}"),
     (f"\\b(row|line|tower|stack) of ({MANY})(?: {_BLOCKS})? , all different(?= ,|$)", "{1} of {2} blocks , all in "

@@ -8,7 +8,7 @@ from dataclasses import replace
 from rpg.language import lexicon
 from rpg.language.grammar.rows.across import ACROSS
 from rpg.language.grammar.rows.all_sides import all_sides
-from rpg.language.grammar.rows.alternatives import ALTERNATIVES, ALTERNATIVES_AT_ONCE
+from rpg.language.grammar.rows.alternatives import ALTERNATIVES, ALTERNATIVES_AT_ONCE, EITHER_WAY
 from rpg.language.grammar.rows.around_it import AROUND_AT_ONCE, around_named
 from rpg.language.grammar.rows.asked_aloud import ASKED_ALOUD, ASKED_ALOUD_AT_ONCE
 from rpg.language.grammar.rows.barred_there import BARRED_THERE, BARRED_THERE_AT_ONCE
@@ -29,6 +29,7 @@ from rpg.language.grammar.rows.corners import corners_again
 from rpg.language.grammar.rows.corners_told import CORNERS_ACROSS, CORNERS_AT_ONCE, CORNERS_TOLD
 from rpg.language.grammar.rows.counts import COUNTED, SHARED_OUT
 from rpg.language.grammar.rows.data_sheets import DATA_SHEETS
+from rpg.language.grammar.rows.destinations import DESTINATIONS
 from rpg.language.grammar.rows.distances import DISTANCES, DISTANCES_AT_ONCE, SPACED_AT_ONCE
 from rpg.language.grammar.rows.each_side import EACH_SIDE
 from rpg.language.grammar.rows.emphatic import EMPHATIC, EMPHATIC_AT_ONCE
@@ -55,12 +56,13 @@ from rpg.language.grammar.rows.listed_lines import listed_lines
 from rpg.language.grammar.rows.listed_of_all import listed_of_all
 from rpg.language.grammar.rows.lots_told import LOTS, LOTS_AT_ONCE
 from rpg.language.grammar.rows.lying_there import LYING_THERE_AT_ONCE
-from rpg.language.grammar.rows.mats_hold import MATS_HOLD, ON_SOME_MAT
+from rpg.language.grammar.rows.mats_hold import MATS_HOLD, MATS_HOLD_AT_ONCE, ON_SOME_MAT
 from rpg.language.grammar.rows.measured_so import MEASURED_SO
 from rpg.language.grammar.rows.moved_off import MOVED_OFF_AT_ONCE, OFF_ONTO
 from rpg.language.grammar.rows.nominal import NOMINAL, NOMINAL_AT_ONCE
 from rpg.language.grammar.rows.not_at_end import NOT_THERE, NOT_THERE_AT_ONCE, not_at_end
 from rpg.language.grammar.rows.not_consecutive import not_consecutive
+from rpg.language.grammar.rows.not_falling import not_falling
 from rpg.language.grammar.rows.noted_down import NOTED_DOWN
 from rpg.language.grammar.rows.of_each_color import of_each_color
 from rpg.language.grammar.rows.on_several import ON_SEVERAL, ON_SEVERAL_AT_ONCE
@@ -190,6 +192,7 @@ _OF_ALL = (
     *KEPT_AT_ONCE,
     *SEPARATELY,
     *LYING_THERE_AT_ONCE,
+    *MATS_HOLD_AT_ONCE,
     *BARRED_THERE_AT_ONCE,
     *OWN_COLOR_AT_ONCE,
     *EACH_THERE,
@@ -261,6 +264,7 @@ _OF_THE_UNREAD = (
     *TURNED_ROUND,
     *UNIDIOMATIC,
     *EMPHATIC,
+    *DESTINATIONS,
 )
 """The rows of a sentence that cannot be read as it stands."""
 _LAST_ACROSS = (*WAY_BEHIND, *CORNERS_ACROSS, *MEASURED_SO, *ACROSS)
@@ -271,6 +275,7 @@ AT_ONCE, UNREAD, OVER_ALL = (
         (
             *IGNORED_THERE,
             *FALLEN,
+            *EITHER_WAY,
             *OFF_ONTO,
             *WHICHEVER,
             *ON_SOME_MAT,
@@ -333,7 +338,7 @@ _CHANGES = (
     swapped_over, result_told, palindromes, one_more, all_sides, around_named, some_of_the_letters, row_with_ends,
     other_end_named, rows_by_number, told_by_places, _steps_told, _one_of_each, of_each_color, corners_again,
     not_at_end, of_the_figure, word_again, range_but, not_consecutive, so_many_inside, so_many_on_each,
-    others_elsewhere, others_counted, word_of_letters, leave_to_move, listed_of_all, row_edited,
+    others_elsewhere, others_counted, word_of_letters, leave_to_move, listed_of_all, row_edited, not_falling,
 )  # fmt: skip
 """What is told otherwise before the rows are looked for, in this order."""
 

@@ -12,10 +12,18 @@ _HOLDS = f"(?:(?:{MUST}|may|can|is allowed to) {_HOLD}|holds|has|carries|contain
 _ON_IT = "(?: on (?:it|them|top))?"
 _LOT = f"({MANY}(?: {COLOR})?)(?: {_BLOCK})?"
 _FIXED = f"(?:an? (?:{COLOR} )?|{MANY} (?:{COLOR} )?)(?:blocks?|cubes?|bricks?|{PATCHES}|{PATCH})"
+_SO_MANY_EACH = (
+    f"(?:exactly |just |only |at least |at most )?{MANY}(?: {_BLOCK})? (?:per|(?:on|onto|in|for|to) (?:each|every))"
+)
 
+MATS_HOLD_AT_ONCE: tuple[Turn, ...] = (
+    # the stock by itself, and in front of what each mat gets, of which it is no part
+    (f"^(?=.*\\b(?:{PATCHES}|{PATCH})\\b)({_FIXED}) , ({_FIXED})$", "there are {1} and {2}"),
+    (f"^(?=.*\\b(?:{PATCHES}|{PATCH})\\b)({_FIXED}) , ({_FIXED}) , (?={_SO_MANY_EACH}\\b)", "there are {1} and {2} . "),
+)  # fmt: skip
+"""What is looked for in every sentence, and what is said instead."""
 MATS_HOLD: tuple[Turn, ...] = (
     # what there is, in short
-    (f"^(?=.*\\b(?:{PATCHES}|{PATCH})\\b)({_FIXED}) , ({_FIXED})$", "there are {1} and {2}"),
     (f"^(?=.*\\b(?:{PATCHES}|{PATCH})\\b)({_FIXED}(?:(?: ,| and| , and) {_FIXED})*)$", "there are {1}"),
     # at most so many, and no fewer
     (f"^(?:no|none of the(?: {MANY})?) (?:{PATCH}|{PATCHES}) (?:{MUST}|may|can|is allowed to) {_HOLD} (more|fewer) "

@@ -34,6 +34,12 @@ _OF_IT = f"(?: (?:of |from )?(?:it|there|the (?:{COLOR} )?{PATCH}))?"
 _THEM_ALL = f"(?:all(?: of them)?|them all|everything|all the {BLOCK}s)"
 _BUT_SO_MANY = f"(?:but|except|except for|save)(?: for)? ({MANY})(?: of them)?"
 _CLOSED = "(?= [.!]|$)"
+_REMOVE = "(?:remove|discard|get rid of|clear away)"
+_REST = f"(?:all )?(?:of )?the (?:rest|others|other (?:ones|{BLOCK}s|{MANY})|remaining (?:ones|{BLOCK}s|{MANY}))"
+_LEFT = f"(?:exactly |just |only )?({MANY})(?: of them| {BLOCK}s?)?(?: stay| remain)?"
+_JUST = f"(?:exactly|just|only) ({MANY})(?: of them| {BLOCK}s?)?"
+_ON_IT = f"(?: there| behind| (?:on|in) (?:it|the (?:{COLOR} )?{PATCH}))?"
+_STAY = f"(?:stay|remain|be left|be kept){_ON_IT}"
 
 OFF_ONTO: tuple[Turn, ...] = (
     (f"^(?=.*? off(?: of)? the {COLOR} {PATCH}(?: ,)?(?: and)? (?:over )?(?:onto|on|to|into) the (?P<hue>{COLOR}) "
@@ -41,11 +47,24 @@ OFF_ONTO: tuple[Turn, ...] = (
      f"(?!.*\\b(?P=hue) (?!one\\b|{PATCH}\\b))(.*?) off(?: of)? (the {COLOR} ({PATCH}))(?: ,)?(?: and)? ((?:over )?"
      f"(?:onto|on|to|into) the {COLOR}) one\\b", "{2} from {3} {5} {4}"),
     # off the mat that was spoken of last
+    (f"^(the (?:{COLOR} )?{PATCH}) (?:has|holds|carries|contains|bears) ([^.,]*? {BLOCK}s)(?: on (?:it|top))? \\. "
+     f"(?=(?:{_TAKE}|leave|keep|only|discard|clear)\\b)", "{2} are on {1} . "),
     (f"{_THERE} {_TAKE} ({MANY})(?: of them| {BLOCK}s?)? {_OFF}{_OF_IT}{_CLOSED}",
      "{1} take {3} of them off {2}"),
-    *((f"{_THERE} {_TAKE} {all_but}{_CLOSED}", "{1} exactly {3} of them must be on {2}")
-      for all_but in (f"{_THEM_ALL} {_BUT_SO_MANY} (?:{_OFF}|from){_OF_IT}",
-                      f"{_THEM_ALL} {_OFF}{_OF_IT}(?: ,)? {_BUT_SO_MANY}")),
+    (f"{_THERE} (?:{_REMOVE}|{_TAKE} away) (?:exactly |just |only )?({MANY})(?: of them| {BLOCK}s?)?{_OF_IT}{_CLOSED}",
+     "{1} take {3} of them off {2}"),
+    *((f"{_THERE} {left}{_CLOSED}", "{1} exactly {3} of them must be on {2}")
+      for left in (f"{_TAKE} {_THEM_ALL} {_BUT_SO_MANY} (?:{_OFF}|from){_OF_IT}",
+                   f"{_TAKE} {_THEM_ALL} {_OFF}{_OF_IT}(?: ,)? {_BUT_SO_MANY}",
+                   f"{_REMOVE} {_THEM_ALL} {_BUT_SO_MANY}{_OF_IT}",
+                   f"(?:leave|keep) {_LEFT}{_ON_IT}(?: ,| and| , and| but) (?:(?:{_REMOVE}|{_TAKE} {_OFF}) {_REST}|"
+                   f"{_TAKE} {_REST} {_OFF})"
+                   f"{_OF_IT}",
+                   f"{_JUST} {MUST} {_STAY}",
+                   f"(?:leave|keep) {_JUST}{_ON_IT}",
+                   f"only (?:leave|keep) ({MANY})(?: of them| {BLOCK}s?)?{_ON_IT}")),
+    (f"{_THERE} {_JUST} (?:may|can|is allowed to|are allowed to) {_STAY}{_CLOSED}",
+     "{1} at most {3} of them may be on {2}"),
     (f"{_THERE} {_TAKE} {_OFF} ((?:the|all the|both) [^.,]+?)(?= and leave| [.!]|$)", "{1} take {3} off {2}"),
     (f"(?<= off )(the (?:{COLOR} )?{PATCH})(?: ,)? and leave ((?:the|all the|both) [^.,]+?) "
      f"(?:inside|in it|in there|in){_CLOSED}", "{1} and leave {2} on {1}"),

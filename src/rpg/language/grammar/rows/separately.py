@@ -33,6 +33,8 @@ SEPARATELY: tuple[Turn, ...] = (
     (f"\\b(an?|one) ({LINE}) of ({_NAMED}{_THERE})(?:, )?and ((?:there (?:is|are|{MUST} be) )?{_THERE})one of "
      f"(?={_LABELS})", "{1} {2} of {3} and {4} a {2} of"),
     *(row for done, figure in _WAYS for row in _each(done, figure)),
+    ("^isolate (the [^,]+?) from (?=the|all|both|every)", "keep {1} away from "),
+    ("\\b(?:isolated|alone(?: ,)? (?:and )?(?:far )?away) from (?=the|all|both|every)", "away from "),
     ("^((?:put )?[^,]+ on ([^,]+) and [^,]+ on ([^,]+?))(?: ,)? separately$", "{1} . {2} and {3} must be on the table"),
 )  # fmt: skip
 """What is looked for, and what is said instead; in every sentence."""
@@ -52,5 +54,5 @@ def _topped(many: int) -> Turn:
 
 ONE_TOPPED: tuple[Turn, ...] = tuple(map(_topped, range(2, 7)))
 """The same over a whole text, for so many towers."""
-WORDS = ("separately",)
+WORDS = ("separately isolate isolated",)
 """Words that these take besides those that are read anyway."""

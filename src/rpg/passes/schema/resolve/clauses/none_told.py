@@ -41,9 +41,9 @@ def _of_blocks(clause: Meaning) -> Meaning:
     if theme is not None and _none(theme) and _in_a_region(clause):
         every = Noun(head="block", det="the", plural=True, span=theme.span)
         return replace(clause, theme=Noun(head="block", det="no", plural=True, part_of=every, span=theme.span))
-    if isinstance(theme, Noun) and _empties(clause, theme):
-        every = Noun(head="block", det="all", plural=True, span=theme.span)
-        place = Using(members=theme, lead="from", span=theme.span)
+    if (patch := _emptied(clause)) is not None:
+        every = Noun(head="block", det="all", plural=True, span=patch.span)
+        place = Using(members=patch, lead="from", span=patch.span)
         return Clause(verb="remove", lemma="remove", theme=every, adjuncts=(place,), span=clause.span, word=clause.word)
     if not isinstance(theme, Pronoun) or clause.negated:
         return clause
@@ -59,20 +59,32 @@ def _none(theme: Meaning) -> bool:
     return isinstance(theme, Pronoun) and theme.word == "nothing"
 
 
-def _in_a_region(clause: Clause) -> bool:
+def _only_place(clause: Clause) -> In | Loc | None:
+    """Where something is, if nothing more is said of it than that it may be there or not."""
     places = [x for x in clause.adjuncts if not (isinstance(x, Manner) and x.kind == "allowed")]
-    return len(places) == 1 and isinstance(places[0], In) and not (places[0].negated or clause.negated)
+    place = places[0] if len(places) == 1 and not clause.negated else None
+    return place if isinstance(place, In | Loc) and not place.negated else None
+
+
+def _in_a_region(clause: Clause) -> bool:
+    return isinstance(_only_place(clause), In)
 
 
 def _to_each_other(place: Meaning) -> bool:
     return isinstance(place, Loc) and getattr(place.landmark, "word", "") == "each other"
 
 
-def _empties(clause: Clause, theme: Noun) -> bool:
-    """Of one patch: of several it is open what lies where."""
-    if clause.negated or theme.plural:
-        return False
-    if clause.verb == "remove" and clause.lemma in ("clear", "empty"):
-        return not clause.adjuncts
-    told = clause.verb == "be" and clause.mode == "goal" and len(clause.adjuncts) == 1
-    return told and isinstance(clause.adjuncts[0], Quality) and clause.adjuncts[0].traits == Traits(empty=True)
+def _emptied(clause: Clause) -> Noun | None:
+    """The patch on which nothing must be left, if it is one: of several it is open what lies where."""
+    theme, place = clause.theme, _only_place(clause)
+    if theme is not None and _none(theme):  # "nothing may be on the patch"
+        on_it = isinstance(place, Loc) and place.rel == "on" and clause.verb in ("be", "exist")
+        theme = place.landmark if on_it and isinstance(place, Loc) else None
+        emptied = True
+    elif clause.verb == "remove" and clause.lemma in ("clear", "empty"):
+        emptied = not clause.adjuncts
+    else:  # "the patch must be empty", "leave the patch empty"
+        told = clause.adjuncts[0] if clause.verb == "be" and len(clause.adjuncts) == 1 else None
+        emptied = isinstance(told, Quality) and told.traits == Traits(empty=True)
+    single = isinstance(theme, Noun) and theme.head == "patch" and not theme.plural and not clause.negated
+    return theme if emptied and single and isinstance(theme, Noun) else None

@@ -122,6 +122,8 @@ LINED_AT_ONCE: tuple[Turn, ...] = (
     # "a row of 6, 2 red and 4 blue": six in all, and no cube that shows a 6
     (f"\\b({_LINE}) of (\\d|{FEW}) , (?=(?:\\d|{FEW}) {COLOR})", "{1} of {2} : "),
     *LINES_IN_SHORT,
+    ("^let (?:all )?(?:of )?(?:the|these|those|my|your) (?:blocks|cubes) be(?:come)? (an? (?:rainbow|gradient|"
+     f"{_LINE})) :", "make {1} :"),
     # which of several that are in a line
     (f"^({_BLOCK_OR_LABEL} {_BE}) the ({_PLACE}(?: one| block| cube)?) of (?:the )?(?:(?:letters|digits|numbers|blocks|"
      f"cubes) )?({LABEL}(?:(?: ,)?(?: and)? {LABEL})+) in (an? {_LINE})$", "{1} the {2} in {4} of {3}"),

@@ -42,9 +42,10 @@ def check_lists(chains: tuple[Chain, ...], text: str) -> None:
         for head, rest in _cuts(chain):
             between = text[head.span[1] : rest.span[0]].strip(" ,")
             finite = text[rest.span[1] :].lower().split()[:1] in _FINITE
-            open_ = _open(head, text) or _in_a_list(head, rest, text)
-            cut = (open_ and not finite) or _goes_on(head, rest, text)
-            if between in ("and", "&") and cut and not _ordered(rest, text):
+            listed = _in_a_list(head, rest, text)
+            cut = ((_open(head, text) or listed) and not finite) or _goes_on(head, rest, text)
+            joined = between in ("and", "&") or (between == "" and listed)
+            if joined and cut and not _ordered(rest, text):
                 raise refuse("ambiguous", "it is not clear whether this is said of all that is listed, or of the last",
                              rest.span, "say it in a sentence of its own")  # fmt: skip
 
@@ -147,8 +148,9 @@ def _ordered(rest: Noun, text: str) -> bool:
 def _cuts(chain: Chain) -> Iterator[tuple[Noun, Noun]]:
     """What stands last in a clause, with what the words behind it are said of."""
     for link, (clause, after) in zip(chain.links[1:], pairwise(chain.clauses), strict=True):
-        if link == "and" and isinstance(after, Clause) and isinstance(after.theme, Noun) and _told_short(after):
-            yield from ((head, after.theme) for head in _last(clause))
+        first = _first(after.theme) if isinstance(after, Clause) else None
+        if link == "and" and first is not None and _told_short(after):
+            yield from ((head, first) for head in _last(clause))
     for clause in chain.clauses:
         for part in clause.adjuncts if isinstance(clause, Clause) else ():
             if isinstance(part, Absolute) and isinstance(part.theme, Noun) and isinstance(clause, Clause):
@@ -158,6 +160,12 @@ def _cuts(chain: Chain) -> Iterator[tuple[Noun, Noun]]:
         for one, other in pairwise(items):
             if isinstance(one, Structure) and isinstance(other, Noun):
                 yield from ((head, other) for head in _last(one))
+
+
+def _first(told: Meaning | None) -> Noun | None:
+    """The noun with which some words begin."""
+    first = told.items[0] if isinstance(told, Coord) else told
+    return first if isinstance(first, Noun) else None
 
 
 def _told_short(clause: Clause) -> bool:

@@ -9,12 +9,22 @@ from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, MANY, MUST
 
 _STOP = r"(?= (?:,|and|\.|;)|$)"
 _LIES = f"(?:{MUST} (?:be|lie|sit|stand|rest)|may be|can be|is|sits|lies|stands|rests)"
+_READER = "(?:one|you|we|i|people|everyone|everybody)"
 _PART = "corner|middle|center|central|end|top|bottom|lowest|highest|topmost|leftmost|rightmost|uppermost"
 _FIGURE = "(?:[ltuv]|plus|plus sign|cross|pyramid|staircase|wall|grid|figure|shape|letter)"
 
 EMPHATIC_AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:and )?nothing {_LIES} (?:on top of|on|atop|above) (?:anything|another thing|another block)(?: else)?$",
      "no block must be on another block"),
+    ("\\b(carry|carries|support|supports|bear|bears) (.+?)(?: ,)? respectively$", "{1} {2}"),
+    ("\\b(in (?:a|one) (?:single )?(?:row|line)) , one (?:next to|beside|after) (?:the|an) ?other(?: one)?$", "{1}"),
+    # what is flat is no pile
+    ("\\bsandwiched between (?=.*\\b(?:in (?:a|one) (?:row|line)|side by side|on the table)\\b)", "between "),
+    ("\\bbelong in (?=(?:a|one) (?:stack|tower|pile|row|line)\\b)", "go in "),
+    # what is read
+    (f"^{_READER} (?:can|could|must be able to|should be able to) read (.+?) on (?:the )?(?:{CUBE}s|them)", "make {1}"),
+    ("^((?:swap|exchange|switch|rearrange|arrange|move|order|stack|lay) .+?) so (?:that )?it (?:says|reads|spells)\\b",
+     "{1} so that they spell"),
     ("\\b(on top of|on|onto) any one of (?=them\\b|these\\b|those\\b|the\\b)", "{1} any of "),
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""

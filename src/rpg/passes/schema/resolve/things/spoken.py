@@ -7,7 +7,7 @@ from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.language.meaning import Amount, Coord, Noun, OrderBy, Structure, Traits, replace
 from rpg.passes.schema.resolve.structures.towers_apart import on_their_sides, tell_apart
-from rpg.passes.schema.resolve.things.things import matching
+from rpg.passes.schema.resolve.things.things import fits, matching
 from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, Thing, refuse
 
 SPOKEN_OF = ("the", "its", "each", "all", "both", "bare")
@@ -62,6 +62,9 @@ def _fitting(shape: Structure, scene: Scene) -> list[Built]:
         things = [scene.things[n] for n in built.members]
         colors = shape.traits.colors
         if colors and any(t.color not in colors for t in things):
+            continue
+        kind = Traits(quality=shape.traits.quality, kind=shape.traits.kind)
+        if kind != Traits() and not all(fits(t, kind) for t in things):
             continue
         if (
             shape.letter

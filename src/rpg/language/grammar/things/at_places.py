@@ -23,6 +23,7 @@ else:
 _BLOCKS = frozenset({"block", "blocks", "cube", "cubes", "brick", "bricks", "box", "boxes", "one", "ones"})
 _PARTS = {"end": "ends", "corner": "corners"}
 _CORNER = frozenset({"corner"})
+_LINES = ("row", "line", "column")
 _LINED = ("row", "column", "layer")
 _DETS = frozenset({"each", "all", "both", "the", "its", "some", "any"})
 _FORMING = Patterns("that|which? stand|lie|are|sit|standing|lying|sitting in",
@@ -44,7 +45,7 @@ def at_places(p: Parser, i: int) -> Results[Noun]:
             yield Noun(head="any", det=det, amount=amount, plural=True, part_of=part_of, span=p.span(i, end)), end
     for place, j in part(p, i) if p.stands(i, ("the",)) else ():
         of = p.one(j, ("of", "in")) if isinstance(place, At) and place.own else 0
-        for whole, end in brought_up(p, of) if of else ():
+        for whole, end in (*brought_up(p, of), *_described(p, of)) if of else ():
             there = PartOf(part="blocks", whole=whole, places=place, span=p.span(i, end))
             yield Noun(head="any", det="the", part_of=there, span=there.span), end
 
@@ -67,6 +68,14 @@ def _owner(p: Parser, i: int) -> Results[Structure | None]:
         if isinstance(whole, Structure) and whole.det == "the" and not whole.plural:
             yield whole, end
     yield from brought_up(p, of) if of else ()
+
+
+def _described(p: Parser, i: int) -> Results[Structure]:
+    """ "the row of three blue blocks": one that was spoken of, or is there."""
+    for whole, j in structure(p, i):
+        the_one = isinstance(whole, Structure) and whole.det == "the" and not whole.plural
+        if the_one and isinstance(whole, Structure) and whole.kind in _LINES and (whole.members or whole.sizes):
+            yield whole, j
 
 
 @choice

@@ -48,7 +48,8 @@ def keep_premises(goal: g.Goal, scene: Scene) -> g.Goal:
 
 def _without_their_top(goal: g.Goal, scene: Scene) -> list[g.Goal]:
     """ "(There is a tower of three red blocks.) Put the top one on the mat": it is parted from the others, which stay a
-    tower, if no more is said of them. Without that the whole tower on the mat would do, for they look alike."""
+    tower, if no more is said of them. Without that the whole tower on the mat would do, for they look alike. What is
+    put on it, or beside it, leaves it there."""
     parts = [*required(goal)]
     told = {n for x in parts if not isinstance(x, g.Not) for n in names_in(x)}
     off = {n for x in parts if isinstance(x, g.Not) and isinstance(x.goal, r.Above) for n in members(x.goal.a)}
@@ -56,11 +57,23 @@ def _without_their_top(goal: g.Goal, scene: Scene) -> list[g.Goal]:
     for top, below in scene.taken.items():
         if top not in told | off or told & {*below}:
             continue
+        if top not in off and not any(top in _moved(x) for x in parts):
+            tower = (*below, top)
+            found.append(s.Stack(blocks=tower, order=_as_it_stood(tower, scene)))
+            continue
         if len(below) > 1:
             found.append(s.Stack(blocks=below, exact=True, order=_as_it_stood(below, scene)))
         else:
             found += [g.Not(goal=r.Above(a=(a,), b=(b,))) for a, b in ((top, *below), (*below, top))]
     return found
+
+
+_PLACED_BY = (r.On, r.Above, r.Directional, r.Beside, r.Adjacent, r.Touching, r.Near)
+
+
+def _moved(goal: g.Goal) -> set[str]:
+    """The blocks that a goal says something of, and not those that others are placed by."""
+    return {*names_in(goal)} - {*members(goal.b)} if isinstance(goal, _PLACED_BY) else {*names_in(goal)}
 
 
 def _as_it_stood(blocks: tuple[str, ...], scene: Scene) -> Order:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from rpg.language.meaning import Absolute, At, Coord, In, Loc, Noun, Pronoun
+from rpg.language.meaning import Absolute, At, Coord, In, Loc, Manner, Noun, Pronoun
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.things.two_lots import two_told
 from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
@@ -16,6 +16,19 @@ def of_a_part(whole: Ref, theme: Ref, it: Pronoun, place: Loc, told: Sequence[Ab
     further = bool(whole.built) and not set(theme.names) & set(whole.names)
     if inside and further and it.word in ("it", "that") and place.rel in ("on", "above", "under"):
         raise refuse("ambiguous", f"{it.word!r} could be the block or the structure", it.span, "name what you mean")
+
+
+def set_apart(whole: Ref, told: Absolute) -> bool:
+    """ "Two towers of two with a green block between them", "a row of three with a tower behind it": what stands beside
+    a structure is none of its blocks."""
+    spots = [a for a in told.adjuncts if not isinstance(a, Manner)]
+    between = len(whole.built) > 1
+    return bool(whole.built and spots) and all(
+        isinstance(a, Loc)
+        and isinstance(a.landmark, Pronoun)
+        and (a.rel in _BESIDE or (a.rel == "between" and between))
+        for a in spots
+    )
 
 
 def of_its_own_corner(theme: Ref, whole: Ref, told: Spec) -> None:

@@ -126,7 +126,7 @@ def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
     if any(o.by == "each" for o in spec.orders):
         return lots.each_made_of(shape, spec, theme, maker, scene, scope)
     shape = as_heights(shape, spec, theme)
-    if one_by_one(shape, spec):
+    if one_by_one(shape, spec, scope.rel):
         check_own_lines(shape, scene)
         return each_of(shape, spec, theme, maker, scene, scope)
     check_slanting(spec.toward, shape.kind)

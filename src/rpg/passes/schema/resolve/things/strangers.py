@@ -37,14 +37,13 @@ def _unnamed(scene: Scene) -> None:
 
 
 def _set_apart(scene: Scene) -> bool:
-    """ "A pyramid to the left of a row of three": structures of one clause that are beside each other, and no block
-    that is in none of them."""
+    """ "A pyramid to the left of a row of three", "a pyramid and a row of three": several structures of one clause,
+    and no block that is in none of them."""
     places = [{*built.members} for built in scene.built]
     inside = set[str]().union(*places)
     clauses = {mention.clause for mention in scene.mentions}
-    related = any(mention.role == "landmark" and mention.ref.built for mention in scene.mentions)
     whole = all(thing.name in inside and not thing.extra for thing in scene.blocks())
-    return related and whole and len(clauses) == 1 and len(inside) == sum(map(len, places))
+    return len(places) > 1 and whole and len(clauses) == 1 and len(inside) == sum(map(len, places))
 
 
 def _apposed(scene: Scene) -> None:

@@ -342,7 +342,7 @@ def _color(
     if long and shape.amount and any(len(b.members) == long * shape.amount.low for b in scene.built):
         raise refuse("ambiguous", "these could be the blocks named before, or further ones", shape.span,
                      "say 'another' of further ones, or what the structure is made of in one phrase")  # fmt: skip
-    taken = {t.color for t in scene.blocks()} | scene.colors
+    taken = {t.color for t in scene.blocks()} | (scene.colors if spec.absolutes else frozenset())
     free = [c for c in COLORS if c not in taken]
     scene.assume(f"the colours are not said: one for each {shape.kind}")
     return (free[0],) if free else ()

@@ -30,11 +30,11 @@ from rpg.passes.schema.resolve.orders.loose import each_alone
 from rpg.passes.schema.resolve.orders.onward import in_between
 from rpg.passes.schema.resolve.places.across_the_table import table_sides
 from rpg.passes.schema.resolve.places.centred import centred
-from rpg.passes.schema.resolve.places.middles import beside_another
+from rpg.passes.schema.resolve.places.middles import beside_another, set_apart
 from rpg.passes.schema.resolve.places.mutual import of_the_other
 from rpg.passes.schema.resolve.places.none_there import none_there
 from rpg.passes.schema.resolve.places.patches import dealt, matching_patches
-from rpg.passes.schema.resolve.places.pointed import of_a_part, of_its_own_corner, of_the_nearest, onto_a_list, set_apart, whom
+from rpg.passes.schema.resolve.places.pointed import of_a_part, of_its_own_corner, of_the_nearest, onto_a_list, whom
 from rpg.passes.schema.resolve.places.relations import place, related
 from rpg.passes.schema.resolve.places.stacking import piled_on, stands_on
 from rpg.passes.schema.resolve.things.operands import UPRIGHT, crown, foot

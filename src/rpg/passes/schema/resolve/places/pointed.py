@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from rpg.language.meaning import Absolute, At, Coord, In, Loc, Manner, Noun, Pronoun
+from rpg.language.meaning import Absolute, At, Coord, In, Loc, Noun, Pronoun
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.things.two_lots import two_told
 from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
@@ -16,19 +16,6 @@ def of_a_part(whole: Ref, theme: Ref, it: Pronoun, place: Loc, told: Sequence[Ab
     further = bool(whole.built) and not set(theme.names) & set(whole.names)
     if inside and further and it.word in ("it", "that") and place.rel in ("on", "above", "under"):
         raise refuse("ambiguous", f"{it.word!r} could be the block or the structure", it.span, "name what you mean")
-
-
-def set_apart(whole: Ref, told: Absolute) -> bool:
-    """ "Two towers of two with a green block between them", "a row of three with a tower behind it": what stands beside
-    a structure is none of its blocks."""
-    spots = [a for a in told.adjuncts if not isinstance(a, Manner)]
-    between = len(whole.built) > 1
-    return bool(whole.built and spots) and all(
-        isinstance(a, Loc)
-        and isinstance(a.landmark, Pronoun)
-        and (a.rel in _BESIDE or (a.rel == "between" and between))
-        for a in spots
-    )
 
 
 def of_its_own_corner(theme: Ref, whole: Ref, told: Spec) -> None:
@@ -46,15 +33,15 @@ def onto_a_list(one: Loc, two: Loc) -> bool:
     return bool(items) and (another or getattr(two.landmark, "head", "patch") != "patch")
 
 
-_BESIDE = frozenset({"left", "right", "front", "behind", "beside", "adjacent", "near"})
+BESIDE = frozenset({"left", "right", "front", "behind", "beside", "adjacent", "near"})
 
 
 def of_the_nearest(told: Absolute, it: Pronoun, place: Loc, scene: Scene) -> None:
     """Refuse "red left of blue with green behind it", where no comma tells it from "blue with green behind it"."""
     marks = [m for m in scene.mentions if m.clause == scene.clause and m.role == "landmark"]
-    beside = bool(marks) and marks[-1].rel in _BESIDE and not (marks[-1].ref.patch or marks[-1].ref.built)
+    beside = bool(marks) and marks[-1].rel in BESIDE and not (marks[-1].ref.patch or marks[-1].ref.built)
     next_to_it = beside and 0 < told.span[0] - marks[-1].ref.span[1] <= len(" with ")
-    if next_to_it and it.word == "it" and place.rel in _BESIDE:
+    if next_to_it and it.word == "it" and place.rel in BESIDE:
         raise refuse("ambiguous", f"{it.word!r} could be the block that is placed or the one beside it", it.span,
                      "name the one you mean")  # fmt: skip
 

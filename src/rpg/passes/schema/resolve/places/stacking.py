@@ -119,7 +119,8 @@ def _bears(theme: Ref, below: tuple[str, ...], scene: Scene) -> bool:
     single = len(theme.names) == 1 and not theme.built and len(below) in _ACROSS and EACH not in (*below, *theme.names)
     sizes = {scene.things[name].size for name in (*theme.names, *below)} if single else set()
     towers = any(built.kind == "stack" and not {*below}.isdisjoint(built.members) for built in scene.built)
-    return len(sizes) == 1 and not towers and scene.on_top.keys().isdisjoint(below) and not {*below} & {*scene.on_top.values()}
+    level = len(sizes) == 1 and not towers
+    return level and scene.on_top.keys().isdisjoint(below) and not {*below} & {*scene.on_top.values()}
 
 
 def _both(theme: Ref, loc: Loc) -> bool:

@@ -60,7 +60,8 @@ def one_by_one(shape: Structure, spec: Spec, rel: str) -> bool:
         return shape.kind not in APART
     if any(z.what == "heights" for z in shape.sizes):
         return False  # which are told apart by these
-    apart = _to_each_other(spec) or _are_ends(shape, spec, rel) or ((spec.lined or _own_places(spec)) and not spec.patterns)
+    apart = _to_each_other(spec) or ((spec.lined or _own_places(spec)) and not spec.patterns)
+    apart = apart or _are_ends(shape, spec, rel)
     told = any(whole(x) is not None or beside_others(x) for x in spec.absolutes)
     return sided(spec) is not None or told or apart
 
@@ -88,12 +89,16 @@ def _to_each_other(spec: Spec) -> bool:
 
 def _are_ends(shape: Structure, spec: Spec, rel: str) -> bool:
     """Whether something stands between two towers, so that they must be told apart."""
-    held = any(isinstance(a, Loc) and a.rel == "between" for x in _with_what_is_between(spec) for a in x.adjuncts)
+    held = any(
+        isinstance(a, Loc) and a.rel == "between" for x in _with_what_is_between(shape, spec) for a in x.adjuncts
+    )
     return shape.amount == Amount(2, 2) and not spec.patterns and (held or rel == "between")
 
 
-def _with_what_is_between(spec: Spec) -> list[Absolute]:
-    """What is told beside two structures, with "a green block in between" as one between them."""
+def _with_what_is_between(shape: Structure, spec: Spec) -> list[Absolute]:
+    """What is told beside structures, with "a green block in between" of two of them as one between them."""
+    if shape.amount != Amount(2, 2):
+        return spec.absolutes
     between = Loc(rel="between", landmark=Pronoun(word="them", span=(0, 0)), span=(0, 0))
     inside = Places(side="rest", unit="block", span=(0, 0))
     told = [(x, x.adjuncts[0].span) for x in spec.absolutes]
@@ -116,8 +121,7 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
         raise refuse("unsupported-structure", f"so many {shape.kind}s at once are not understood", shape.span,
                      f"name each {shape.kind} by itself")  # fmt: skip
     _one_gap(shape, spec)
-    if count == 2:
-        spec.absolutes = _with_what_is_between(spec)
+    spec.absolutes = _with_what_is_between(shape, spec)
     shape, theme = several_from_stock(shape, count, spec, theme, scene)
     for place in filter(None, map(whole, spec.absolutes)):
         own_unit(shape, place)
@@ -129,8 +133,7 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
     if not told and not any(isinstance(look, Noun) and look.amount is not None for look in looks):
         shape = _fresh(shape, theme, count, scene)
     lots = named_lots(theme, looks, scene) or lots_of(theme, count, shape, scene)
-    built: list[Built] = []
-    goals: list[g.Goal] = []
+    built, goals = list[Built](), list[g.Goal]()
     color: tuple[str, ...] = ()
     for index in range(count):
         color = color if color and _in_corners(spec) else _color(shape, spec, theme, looks, scene, scope)

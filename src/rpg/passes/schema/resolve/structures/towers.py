@@ -29,8 +29,7 @@ def several(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope
     if any(z.what == "heights" for z in shape.sizes):
         return of_heights(shape, spec, theme, scene)
     _which_form_which(shape, spec)
-    shape = _of_one_color(shape, theme)
-    shape, bounds = bounded(shape)
+    shape, bounds = bounded(_of_one_color(shape, theme))
     shape = _told_apart(shape, spec)
     sorted_by = next((o.attribute for o in spec.orders if o.by == "attribute"), None)
     spec.orders = [o for o in spec.orders if o.by != "attribute"]

@@ -69,8 +69,10 @@ def _apposed(scene: Scene) -> None:
 
 def no_strangers(scene: Scene) -> None:
     """Refuse things that were made up, where they could be among those that are named."""
-    if not _set_apart(scene):
+    apart = _set_apart(scene)
+    if not apart:
         _unnamed(scene)
+    if not (apart and any(mention.role == "landmark" and mention.ref.built for mention in scene.mentions)):
         _apposed(scene)
     _uncounted(scene)
     _like_distractors(scene)

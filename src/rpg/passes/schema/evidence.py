@@ -159,9 +159,11 @@ _HIGH = frozenset({"high", "tall", "height", "heights"})
 
 
 def _beside_goals(task: TaskSchema) -> set[str]:
-    """What a task has that stands in no condition: heaps, and a swap that is told by its result."""
+    """What a task has that no condition names: heaps, a swap that is told by its result, the rim of a grid."""
     swapped = any(map(task.assumed, (EXCHANGED, EXCHANGED_LATER, REPLACED)))
-    return {"heaps" for _ in task.init.heaps} | ({"swapped"} if swapped else set())
+    rim = any(isinstance(x, Figure) and (x.shape, x.sides) == ("square", (3, 3)) for x in atoms(task.goal))
+    told = {"heaps" for _ in task.init.heaps} | ({"swapped"} if swapped else set())
+    return told | ({"grid", "circle"} if rim else set())
 
 
 def _in_passing(words: Sequence[Token], index: int) -> bool:

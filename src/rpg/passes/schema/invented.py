@@ -6,11 +6,12 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise, takewhile
 
 from rpg.ir.assets import FACES, SemanticCube
+from rpg.ir.goal import Not
 from rpg.ir.node import members
 from rpg.ir.relations import Between
 from rpg.ir.schema import COLORS_UNSAID, SYMBOLS_UNSAID, TaskSchema
 from rpg.ir.structures import Cells, Equation, Figure, Grid, Pyramid, Row, Spells, Stack
-from rpg.ir.walk import atoms, names
+from rpg.ir.walk import atoms, names, within
 from rpg.language import lexicon
 from rpg.language.tokens import Token
 from rpg.passes.schema.fewer_there import check_fewer_there
@@ -75,8 +76,8 @@ def _one_in_between(words: Sequence[Token], task: TaskSchema) -> None:
     """Refuse "a row of A, B, C and D with one block between A and D" as a fifth block of any colour."""
     said = {lexicon.COLOR.get(token.word) for token in words}
     made_up = {block.name for block in task.blocks if block.color not in said and not isinstance(block, SemanticCube)}
-    found = [*atoms(task.goal)]
-    lines = [{*x.blocks} for x in found if isinstance(x, Row | Stack) and len(x.blocks) > 2]
+    found, denied = [*atoms(task.goal)], [x.goal for x in within(task.goal) if isinstance(x, Not)]
+    lines = [{*x.blocks} for x in found if isinstance(x, Row | Stack) and len(x.blocks) > 2 and x not in denied]
     for between in (x for x in found if isinstance(x, Between) and {*members(x.a)} <= made_up):
         ends = {*members(between.b), *members(between.c)}
         if any(ends <= line and line.isdisjoint(members(between.a)) for line in lines):

@@ -137,6 +137,8 @@ _FROM = "(?: away)?(?: (?:from|to) (?:me|us|you|the (?:viewer|camera|robot)))?"
 _THEM = "(?:them|that|those|these|this|both(?: of them)?|the 2|the others)"
 _UPON = "(?:on top of|over|above|upon)"
 _LINE = "(?:row|layer|level|one)"
+_NOT_BESIDE = "(?<!pyramid and )(?<!wall and )(?<!cube and )(?<!square and )"
+"""Not behind a figure: "a pyramid and a row of three" are two structures."""
 _MIDDLE = "(?:in|at|on) (?:the|its) (?:very |exact )?(?:middle|center)"
 PLACES: list[Pattern] = [
     *patterns("place", _line,
@@ -255,7 +257,7 @@ JOINTS: list[Pattern] = [
         "upright|standing|lying|have|consists? of|contains?|have got|wanted|needed|required|fully|exclusively|"
         "solely|purely|only|just|nothing but|everything|everything is|all of (?:it|them)|the whole thing|throughout|"
         "it is all|all|for|becomes?|(?:so )?(?:it|they) (?:becomes?|forms?|makes?|is|are)|making|forming|surrounded by|"
-        "a (?:row|line|layer) of|over the 4|centered)",
+        f"{_NOT_BESIDE}a (?:row|line|layer) of(?! NUM and an? (?:pyramid|wall|cube|square) )|over the 4|centered)",
         "stack up|stack(?= NUM (?:layers|levels|tiers) )|erect|fill|tile|cover|enter|write|assemble|layout|"
         "showing|shows|occupy|occupies|hey|hi|hello|ok|okay|so|"
         "(?:would )?(?:you )?mind|building|making|constructing|arranging|laying|placing|putting|creating|down|"

@@ -32,6 +32,13 @@ HOLLOW = Patterns(
     "with? a? hole in the|its middle|center|inside",
     "with|leaving|keeping|while|where? the|its middle|center|inside|interior is|stays|remains|being|left? "
     "empty|free|open|hollow",
+    "with|leaving|keeping|where the|its middle|center|central cell|place|spot|position|field is|stays|remains|being? "
+    "left? empty|free|open",
+    "with the|its middle|center|central cell|place|spot|position|field|block|cube|one is? missing|left_out|omitted",
+    "whose middle|center|inside|interior is|stays|remains left? empty|free|open|hollow",
+    "without the|its|a middle|center|central block|cube|one",
+    "around|surrounding|enclosing an|the empty|free|open middle|center|inside|interior|space",
+    "around nothing",
     "that_is|which_is|it_is? left? hollow inside|within?",
     "that_is|which_is|it_is? left? empty|free|open inside|within",
     "hollow|empty|free|open in|at the|its middle|center|inside|interior",

@@ -14,6 +14,8 @@ _OF_ONE = (
     ("monochrome",), ("monochromatic",), ("unicolored",), ("uniformly", "colored"), ("uniform", "color"),
 )  # fmt: skip
 ONE_COLOR = frozenset(words[0] for words in _OF_ONE)
+_EACH = frozenset({"each", "every", "per"})
+"""What makes several figures of one: "for each colour a monochrome tower"."""
 _OUT_OF = frozenset({"of", "from", "with", "using"})
 
 
@@ -31,11 +33,14 @@ def one_color(tokens: list[Token], words: list[str]) -> list[Token] | None:
     colors = {lexicon.COLOR[word] for word in words[at:end] if word in lexicon.COLOR}
     if len(colors) == 1 and "not" not in words[at:end]:
         return [*tokens[:at], *rest]
-    blocks = _blocks(tokens, figure + 1)
-    if colors or not blocks:
+    if colors or not _EACH.isdisjoint(words[:end]):
         return [*tokens[:at], said, *rest] if words[at] != "monochrome" else None
-    same = [tokens[at].saying(word) for word in ("of", "the", "same", "color")]
-    return [*tokens[:at], *tokens[figure : blocks + 1], *same, *tokens[blocks + 1 :]]
+    blocks = _blocks(tokens, figure + 1)
+    number = figure + 2 if not blocks and _counted(tokens, figure + 1) else 0
+    named = "blocks" if number else "" if blocks else "of blocks"
+    same = [tokens[at].saying(word) for word in (*named.split(), "of", "the", "same", "color")]
+    behind = (blocks or number or figure) + 1
+    return [*tokens[:at], *tokens[figure:behind], *same, *tokens[behind:]]
 
 
 def _figure(words: list[str], at: int) -> int:
@@ -48,9 +53,12 @@ def _figure(words: list[str], at: int) -> int:
 
 def _blocks(tokens: Sequence[Token], at: int) -> int:
     """Where the blocks are named that it is made of; 0 where they are not."""
-    if at + 2 >= len(tokens) or tokens[at].word not in _OUT_OF or tokens[at + 1].many < 1:
-        return 0
-    return at + 2 if tokens[at + 2].word in lexicon.BLOCK else 0
+    return at + 2 if _counted(tokens, at) and tokens[at + 2 : at + 3] and tokens[at + 2].word in lexicon.BLOCK else 0
+
+
+def _counted(tokens: Sequence[Token], at: int) -> bool:
+    """Whether it is said here of how many it is made: "(a tower) of three"."""
+    return at + 1 < len(tokens) and tokens[at].word in _OUT_OF and tokens[at + 1].many >= 1
 
 
 def all_of_color(tokens: list[Token], words: list[str]) -> list[Token] | None:

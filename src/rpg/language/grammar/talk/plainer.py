@@ -350,7 +350,7 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (any_other, frozenset({"any"})),
     (every_other, frozenset({"every"})),
     (pairs_stacked, frozenset({"pairs"})),
-    (in_pairs, frozenset({"pairs"})),
+    (in_pairs, frozenset({"pairs", "twos", "couples"})),
     (utmost_number, frozenset({"number"})),
     (_furthest, _FAR),
     (_seen, frozenset({"?", *(word for lead in _SEEN for word in lead)})),

@@ -74,14 +74,14 @@ _GROUPING = frozenset({"group", "put", "split", "divide", "sort", "separate", "a
 
 def in_pairs(tokens: list[Token], words: list[str]) -> list[Token] | None:
     """ "Group the blocks into pairs": into groups of two; and "each pair" is each of these groups."""
-    at = next((n for n in range(2, len(words) - 1) if words[n + 1] == "pairs" and words[n] in ("in", "into")), 0)
+    at = next((n for n in range(2, len(words) - 1) if words[n + 1] in _PAIRS and words[n] in ("in", "into")), 0)
     behind_it = tuple(words[at + 2 : at + 5])
     ends = not behind_it or behind_it[0] in _STOPS or behind_it in _OF_ONE_COLOR or behind_it[:2] in _OF_EACH
     if (
         not at
         or not ends
         or _GROUPING.isdisjoint(words[:at])
-        or words[at - 1] not in lexicon.BLOCK
+        or words[at - 1] not in (*lexicon.BLOCK, "them", "these", "those")
         or "," in words[:at]
     ):
         return None
@@ -93,6 +93,7 @@ def in_pairs(tokens: list[Token], words: list[str]) -> list[Token] | None:
     return [*tokens[:at], *groups, *behind]
 
 
+_PAIRS = ("pairs", "twos", "couples")
 _OF_EACH = ((",", "each"), (",", "every"), (",", "same"))
 _OF_ONE_COLOR = (("of", "the", "same"), ("of", "equal", "color"), ("of", "one", "color"), ("by", "color", ""))
 

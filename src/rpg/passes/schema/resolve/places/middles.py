@@ -1,4 +1,4 @@
-"""Of what "the middle" or "the front" is that is told without it."""
+"""Of what "the middle" or "the front" is that is told without it, and what stands beside it."""
 
 from __future__ import annotations
 
@@ -7,8 +7,9 @@ from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.walk import atoms
 from rpg.ir.walk import names as names_in
-from rpg.language.meaning import At
+from rpg.language.meaning import Absolute, At, Loc, Manner, Pronoun
 from rpg.passes.schema.resolve.orders.positions import SIDES
+from rpg.passes.schema.resolve.places.pointed import BESIDE
 from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
 
 
@@ -43,3 +44,14 @@ def beside_another(ats: list[At], scene: Scene) -> bool:
     """ "Put red on blue with green in the middle": between the two, or in the middle of the table?"""
     marks = [m for m in scene.mentions if m.clause == scene.clause and m.role == "landmark"]
     return any(at_.side == "middle" for at_ in ats) and any(not (m.ref.patch or m.ref.table) for m in marks)
+
+
+def set_apart(whole: Ref, told: Absolute) -> bool:
+    """ "Two towers of two with a green block between them", "a row of three with a tower behind it": what stands beside
+    a structure is none of its blocks."""
+    spots = [a for a in told.adjuncts if not isinstance(a, Manner)]
+    between = len(whole.built) > 1
+    return bool(whole.built and spots) and all(
+        isinstance(a, Loc) and isinstance(a.landmark, Pronoun) and (a.rel in BESIDE or (a.rel == "between" and between))
+        for a in spots
+    )

@@ -30,7 +30,7 @@ from rpg.passes.schema.resolve.orders.loose import each_alone
 from rpg.passes.schema.resolve.orders.onward import in_between
 from rpg.passes.schema.resolve.places.across_the_table import table_sides
 from rpg.passes.schema.resolve.places.centred import centred
-from rpg.passes.schema.resolve.places.middles import beside_another
+from rpg.passes.schema.resolve.places.middles import beside_another, set_apart
 from rpg.passes.schema.resolve.places.mutual import of_the_other
 from rpg.passes.schema.resolve.places.none_there import none_there
 from rpg.passes.schema.resolve.places.patches import dealt, matching_patches
@@ -283,9 +283,11 @@ def absolutes(ref: Ref, spec: Spec, scene: Scene, scope: Scope) -> Goals:
             refer(item.theme, scene, Scope())
             scene.mentions.pop()
             continue
-        own = ref.names if len(ref.names) > 1 and of_no_look(item.theme) else ()
+        apart = set_apart(ref, item)
+        own = ref.names if len(ref.names) > 1 and of_no_look(item.theme) and not apart else ()
         theme = refer(so_many_between(item, scene), scene, replace(scope, role="theme", pool=own))
-        if any(scene.things[n].invented for n in ref.names) and not set(theme.names) & set(ref.names) and ref.built:
+        made_up = ref.built and any(scene.things[n].invented for n in ref.names)
+        if made_up and not apart and not set(theme.names) & set(ref.names):
             raise refuse("ambiguous", "it is not clear which blocks the structure is made of", item.span,
                          "name its blocks")  # fmt: skip
         inner = sort_adjuncts(item.adjuncts)

@@ -33,15 +33,15 @@ def onto_a_list(one: Loc, two: Loc) -> bool:
     return bool(items) and (another or getattr(two.landmark, "head", "patch") != "patch")
 
 
-_BESIDE = frozenset({"left", "right", "front", "behind", "beside", "adjacent", "near"})
+BESIDE = frozenset({"left", "right", "front", "behind", "beside", "adjacent", "near"})
 
 
 def of_the_nearest(told: Absolute, it: Pronoun, place: Loc, scene: Scene) -> None:
     """Refuse "red left of blue with green behind it", where no comma tells it from "blue with green behind it"."""
     marks = [m for m in scene.mentions if m.clause == scene.clause and m.role == "landmark"]
-    beside = bool(marks) and marks[-1].rel in _BESIDE and not (marks[-1].ref.patch or marks[-1].ref.built)
+    beside = bool(marks) and marks[-1].rel in BESIDE and not (marks[-1].ref.patch or marks[-1].ref.built)
     next_to_it = beside and 0 < told.span[0] - marks[-1].ref.span[1] <= len(" with ")
-    if next_to_it and it.word == "it" and place.rel in _BESIDE:
+    if next_to_it and it.word == "it" and place.rel in BESIDE:
         raise refuse("ambiguous", f"{it.word!r} could be the block that is placed or the one beside it", it.span,
                      "name the one you mean")  # fmt: skip
 

@@ -118,7 +118,9 @@ def _bears(theme: Ref, below: tuple[str, ...], scene: Scene) -> bool:
     """Whether one block may lie across these: two or four on the table, as large as it is."""
     single = len(theme.names) == 1 and not theme.built and len(below) in _ACROSS and EACH not in (*below, *theme.names)
     sizes = {scene.things[name].size for name in (*theme.names, *below)} if single else set()
-    return len(sizes) == 1 and scene.on_top.keys().isdisjoint(below) and not {*below} & {*scene.on_top.values()}
+    towers = any(built.kind == "stack" and not {*below}.isdisjoint(built.members) for built in scene.built)
+    level = len(sizes) == 1 and not towers
+    return level and scene.on_top.keys().isdisjoint(below) and not {*below} & {*scene.on_top.values()}
 
 
 def _both(theme: Ref, loc: Loc) -> bool:

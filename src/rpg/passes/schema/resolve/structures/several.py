@@ -10,6 +10,7 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.language.meaning import (
+    Absolute,
     Amount,
     Coord,
     In,
@@ -17,6 +18,8 @@ from rpg.language.meaning import (
     Meaning,
     Noun,
     OrderBy,
+    Places,
+    Pronoun,
     Size,
     Structure,
     Traits,
@@ -49,8 +52,8 @@ LENGTH = 3
 """Blocks in each of several rows of which nothing is said."""
 
 
-def one_by_one(shape: Structure, spec: Spec) -> bool:
-    """Whether each of several structures is made by itself."""
+def one_by_one(shape: Structure, spec: Spec, rel: str) -> bool:
+    """Whether each of several structures is made by itself. `rel`: the relation that they are the landmark of."""
     if not shape.plural and not (shape.amount and shape.amount.low > 1):
         return False
     if shape.kind != "stack":
@@ -58,6 +61,7 @@ def one_by_one(shape: Structure, spec: Spec) -> bool:
     if any(z.what == "heights" for z in shape.sizes):
         return False  # which are told apart by these
     apart = _to_each_other(spec) or ((spec.lined or _own_places(spec)) and not spec.patterns)
+    apart = apart or _are_ends(shape, spec, rel)
     told = any(whole(x) is not None or beside_others(x) for x in spec.absolutes)
     return sided(spec) is not None or told or apart
 
@@ -83,6 +87,27 @@ def _to_each_other(spec: Spec) -> bool:
     return related and not spec.patterns and not any(m.kind == "equal" for m in spec.manners)
 
 
+def _are_ends(shape: Structure, spec: Spec, rel: str) -> bool:
+    """Whether something stands between two towers, so that they must be told apart."""
+    held = any(
+        isinstance(a, Loc) and a.rel == "between" for x in _with_what_is_between(shape, spec) for a in x.adjuncts
+    )
+    return shape.amount == Amount(2, 2) and not spec.patterns and (held or rel == "between")
+
+
+def _with_what_is_between(shape: Structure, spec: Spec) -> list[Absolute]:
+    """What is told beside structures, with "a green block in between" of two of them as one between them."""
+    if shape.amount != Amount(2, 2):
+        return spec.absolutes
+    between = Loc(rel="between", landmark=Pronoun(word="them", span=(0, 0)), span=(0, 0))
+    inside = Places(side="rest", unit="block", span=(0, 0))
+    told = [(x, x.adjuncts[0].span) for x in spec.absolutes]
+    return [
+        replace(x, adjuncts=(replace(between, span=at),)) if x.adjuncts == (replace(inside, span=at),) else x
+        for x, at in told
+    ]
+
+
 def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene: Scene, scope: Scope) -> Made:
     """So many structures, each with its own blocks."""
     count = shape.amount.low if shape.amount else 2
@@ -96,6 +121,7 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
         raise refuse("unsupported-structure", f"so many {shape.kind}s at once are not understood", shape.span,
                      f"name each {shape.kind} by itself")  # fmt: skip
     _one_gap(shape, spec)
+    spec.absolutes = _with_what_is_between(shape, spec)
     shape, theme = several_from_stock(shape, count, spec, theme, scene)
     for place in filter(None, map(whole, spec.absolutes)):
         own_unit(shape, place)
@@ -107,8 +133,7 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
     if not told and not any(isinstance(look, Noun) and look.amount is not None for look in looks):
         shape = _fresh(shape, theme, count, scene)
     lots = named_lots(theme, looks, scene) or lots_of(theme, count, shape, scene)
-    built: list[Built] = []
-    goals: list[g.Goal] = []
+    built, goals = list[Built](), list[g.Goal]()
     color: tuple[str, ...] = ()
     for index in range(count):
         color = color if color and _in_corners(spec) else _color(shape, spec, theme, looks, scene, scope)
@@ -320,7 +345,7 @@ def _color(
     if long and shape.amount and any(len(b.members) == long * shape.amount.low for b in scene.built):
         raise refuse("ambiguous", "these could be the blocks named before, or further ones", shape.span,
                      "say 'another' of further ones, or what the structure is made of in one phrase")  # fmt: skip
-    taken = {t.color for t in scene.blocks()}
+    taken = {t.color for t in scene.blocks()} | (scene.colors if spec.absolutes else frozenset())
     free = [c for c in COLORS if c not in taken]
     scene.assume(f"the colours are not said: one for each {shape.kind}")
     return (free[0],) if free else ()

@@ -107,6 +107,8 @@ def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
     one_on_another(shape, spec)
     shape = _paged(as_listed(shape, spec, theme, scene), spec, theme)
     _known_sizes(shape)
+    if shape.filled is False and shape.kind in ("grid", "circle") and shape.dims == (3, 3):  # the rim of a square
+        shape = replace(shape, kind="square")
     if shape.filled is False and shape.kind in _MASSIVE:
         raise refuse("unsupported-structure", f"a {shape.kind} has no hole here", shape.span, "say 'an outline square'")
     if shape.kind == "again":
@@ -126,7 +128,7 @@ def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
     if any(o.by == "each" for o in spec.orders):
         return lots.each_made_of(shape, spec, theme, maker, scene, scope)
     shape = as_heights(shape, spec, theme)
-    if one_by_one(shape, spec):
+    if one_by_one(shape, spec, scope.rel):
         check_own_lines(shape, scene)
         return each_of(shape, spec, theme, maker, scene, scope)
     check_slanting(spec.toward, shape.kind)

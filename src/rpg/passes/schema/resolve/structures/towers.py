@@ -29,7 +29,7 @@ def several(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope
     if any(z.what == "heights" for z in shape.sizes):
         return of_heights(shape, spec, theme, scene)
     _which_form_which(shape, spec)
-    shape, bounds = bounded(shape)
+    shape, bounds = bounded(_of_one_color(shape, theme))
     shape = _told_apart(shape, spec)
     sorted_by = next((o.attribute for o in spec.orders if o.by == "attribute"), None)
     spec.orders = [o for o in spec.orders if o.by != "attribute"]
@@ -99,6 +99,14 @@ def _which_form_which(shape: Structure, spec: Spec) -> None:
         if len(set(looks)) < len(looks):
             raise refuse("ambiguous", "it is not clear which blocks form which tower", shape.span,
                          "say of which blocks each tower is")  # fmt: skip
+
+
+def _of_one_color(shape: Structure, theme: Ref | None) -> Structure:
+    """ "(Stack the blocks in) towers of two of the same color": of blocks that are named before, each of one colour."""
+    members = shape.members
+    if theme is None or not isinstance(members, Noun) or members.traits != Traits(scheme="same"):
+        return shape
+    return replace(shape, members=replace(members, traits=Traits()), traits=replace(shape.traits, scheme="same"))
 
 
 def _unequal(blocks: int, count: int | None, per: int | None, shape: Structure) -> tuple[int, ...]:

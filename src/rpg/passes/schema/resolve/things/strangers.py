@@ -36,6 +36,16 @@ def _unnamed(scene: Scene) -> None:
         )
 
 
+def _set_apart(scene: Scene) -> bool:
+    """ "A pyramid to the left of a row of three", "a pyramid and a row of three": several structures of one clause,
+    and no block that is in none of them."""
+    places = [{*built.members} for built in scene.built]
+    inside = set[str]().union(*places)
+    clauses = {mention.clause for mention in scene.mentions}
+    whole = all(thing.name in inside and not thing.extra for thing in scene.blocks())
+    return len(places) > 1 and whole and len(clauses) == 1 and len(inside) == sum(map(len, places))
+
+
 def _apposed(scene: Scene) -> None:
     """ "Three blocks, tan ones": so many without a look, and some of a look without a number, may be the same; so may
     the five letters beside the word ROBOT, and just as many that are named in another sentence."""
@@ -59,8 +69,11 @@ def _apposed(scene: Scene) -> None:
 
 def no_strangers(scene: Scene) -> None:
     """Refuse things that were made up, where they could be among those that are named."""
-    _unnamed(scene)
-    _apposed(scene)
+    apart = _set_apart(scene)
+    if not apart:
+        _unnamed(scene)
+    if not (apart and any(mention.role == "landmark" and mention.ref.built for mention in scene.mentions)):
+        _apposed(scene)
     _uncounted(scene)
     _like_distractors(scene)
     _uncoloured(scene)

@@ -300,7 +300,9 @@ def of_no_look(meaning: Meaning) -> bool:
 def note_named(chains: tuple[Meaning, ...], scene: Scene) -> None:
     """Note whether the sentences say how blocks look or how many there are, and whether they tell of both of two
     opposites: "all odd numbers left, all even ones right"."""
-    blocks = [x for chain in chains for x in parts_of(chain) if isinstance(x, Noun) and x.head != "patch"]
+    parts = [x for chain in chains for x in parts_of(chain) if isinstance(x, Noun | Structure)]
+    scene.colors = frozenset(color for x in parts for color in x.traits.colors)
+    blocks = [x for x in parts if isinstance(x, Noun) and x.head != "patch"]
     looks = {(x.traits.colors, x.traits.labels) for x in blocks} - {((), ())}
     scene.looks = len(looks)
     joined = {item for chain in chains for x in parts_of(chain) if isinstance(x, Coord) for item in x.items}

@@ -162,7 +162,7 @@ class Scene:
     `untouched`: blocks that are left as they are, which is more than where they are.
     `same_order`: lines that keep the order of the start, each with the side where it begins if that is told.
     `names_blocks`: whether some sentence says how blocks look or how many there are.
-    `looks`: how many different looks of blocks are named.
+    `looks`: how many different looks of blocks are named. `colors`: all colours that are.
     `sized`: the size that is said of all blocks, with its words.
     `verbs`: where the verb of every clause stands, whether it is denied, and its sense.
     `owners`: the clauses that tell what a block has on it, or beside it.
@@ -248,6 +248,7 @@ class Scene:
     names_blocks: bool = False
     opposites: bool = False
     looks: int = 0
+    colors: frozenset[str] = frozenset()
     sized: tuple[Traits, Span] | None = None
     ignored: dict[str, Span] = field(default_factory=dict)
     patch_sides: dict[str, str] = field(default_factory=dict)

@@ -149,7 +149,7 @@ def _cuts(chain: Chain) -> Iterator[tuple[Noun, Noun]]:
     """What stands last in a clause, with what the words behind it are said of."""
     for link, (clause, after) in zip(chain.links[1:], pairwise(chain.clauses), strict=True):
         first = _first(after.theme) if isinstance(after, Clause) else None
-        if link == "and" and first is not None and _told_short(after):
+        if link == "and" and isinstance(after, Clause) and first is not None and _told_short(after):
             yield from ((head, first) for head in _last(clause))
     for clause in chain.clauses:
         for part in clause.adjuncts if isinstance(clause, Clause) else ():

@@ -220,7 +220,8 @@ def of_whom(noun: Noun) -> Meaning:
     of_them = isinstance(noun.part_of, Pronoun) and noun.part_of.word in ("them", "these", "those")
     if of_them and (noun.det, noun.amount, noun.traits) == ("all", None, Traits()):
         return Pronoun(word="all of them", span=noun.span)
-    if of_them and noun.det == "no" and noun.traits == Traits():
+    two = isinstance(noun.amount, Amount) and noun.amount.strict
+    if of_them and noun.det == "no" and not two and noun.traits == Traits():
         return Pronoun(word="all of them", span=noun.span)
     if of_them and (noun.det, noun.amount, noun.traits) == ("each", None, Traits()):
         return Pronoun(word="each of them", span=noun.span)

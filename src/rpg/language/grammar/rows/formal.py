@@ -19,6 +19,7 @@ from rpg.language.grammar.rows.beside_it import BESIDE_IT, BESIDE_IT_AT_ONCE
 from rpg.language.grammar.rows.besides import BESIDES, BESIDES_AT_ONCE
 from rpg.language.grammar.rows.borne_first import BORNE_FIRST
 from rpg.language.grammar.rows.both_bounds import BOTH_BOUNDS
+from rpg.language.grammar.rows.bridges import BRIDGES
 from rpg.language.grammar.rows.but_one import BUT_ONE, BUT_ONE_AT_ONCE, EXCEPTED_ACROSS
 from rpg.language.grammar.rows.by_turns import BY_TURNS_AT_ONCE
 from rpg.language.grammar.rows.cleared_parts import CLEARED_PARTS
@@ -234,6 +235,7 @@ _OF_THE_UNREAD = (
     *GAPPED,
     *RELATED,
     *VERBS_OF_PLACE,
+    *BRIDGES,
     *BORNE_FIRST,
     *NOT_THERE,
     *ALTERNATIVES,

@@ -18,7 +18,6 @@ _AGAINST = (
     "(?:abuts?|contacts?|(?:press|butt|push|nestle|snuggle|cuddle)(?:e?s)? (?:up )?against|"
     "(?:comes?|gets?) (?:in|into) contact with|makes? contact with)"
 )
-_ACROSS = "(?:bridg(?:es?|ing)|spans?|straddles?)"
 _AWAY = "(?:steers? clear of|shuns?|gives? a wide berth to)"
 _AROUND = (
     "(?:surround(?:ing)?|encircl(?:e|ing)|enclos(?:e|ing)|encompass(?:ing)?|envelop(?:ing)?|fram(?:e|ing)|"
@@ -41,9 +40,6 @@ _THEMSELVES = (("arrange", "arranged"), ("organize", "organized"), ("line", "lin
 VERBS_OF_PLACE: tuple[Turn, ...] = (
     (f"{_LET}({THING}) {_DO}{_ON} {_WHAT}$", "{1} must be on top of {2}"),
     (f"{_LET}({THING}) {_DO}{_UNDER} {_WHAT}$", "{1} must support {2}"),
-    (f"^bridge ((?:the|both|two) .+?) (?:with|by) ({THING})$", "put {2} across {1}"),
-    (f"{_LET}({THING}) {_DO}{_ACROSS} ((?:the|both|two) .+)$", "put {1} across {2}"),
-    (f"^((?:the |both )?two .+?)(?: ,| {MUST} be| are)? (?:bridged|spanned) by ({THING})$", "put {2} across {1}"),
     (f"{_LET}({THING}) {_DO}{_BESIDE} {_WHAT}$", "{1} must be adjacent to {2}"),
     (f"{_LET}({THING}) {_DO}{_AGAINST} {_WHAT}$", "{1} must touch {2}"),
     (f"{_LET}({THING}) {_DO}{_AWAY} {_WHAT}$", "{1} must be away from {2}"),
@@ -69,6 +65,6 @@ WORDS = (
     "underpin underpins underlie underlies shoulders abut props prop surmount surmounts encompass encompassing envelop "
     "enveloping embrace embracing hem dance inhabit rides roost roosts squat squats recline reclines lurk lurks "
     "shelters crouch crouches linger lingers dwell dwells loiter loiters wind shun shuns snuggle cuddle constitute "
-    "arrives exits depart departs bridge bridges bridged spans spanned straddle straddles",
+    "arrives exits depart departs",
 )
 """Words that these take besides those that are read anyway."""

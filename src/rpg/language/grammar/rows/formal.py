@@ -34,6 +34,7 @@ from rpg.language.grammar.rows.destinations import DESTINATIONS
 from rpg.language.grammar.rows.distances import DISTANCES, DISTANCES_AT_ONCE, SPACED_AT_ONCE
 from rpg.language.grammar.rows.each_side import EACH_SIDE
 from rpg.language.grammar.rows.emphatic import EMPHATIC, EMPHATIC_AT_ONCE
+from rpg.language.grammar.rows.ends_of_towers import ENDS_OF_TOWERS, ENDS_OF_TOWERS_AT_ONCE
 from rpg.language.grammar.rows.everyday import EVERYDAY, EVERYDAY_AT_ONCE
 from rpg.language.grammar.rows.faced import FACED, FACED_AT_ONCE
 from rpg.language.grammar.rows.figures import BOARDS, FIGURES
@@ -180,6 +181,7 @@ _OF_ALL = (
     *STAIRS,
     *ONE_COLOR_EACH,
     *TOWERS_AT_ONCE,
+    *ENDS_OF_TOWERS_AT_ONCE,
     *UPWARD_AT_ONCE,
     *UPRIGHT_AT_ONCE,
     *OTHERWISE_AT_ONCE,
@@ -236,6 +238,7 @@ _OF_THE_UNREAD = (
     *RELATED,
     *VERBS_OF_PLACE,
     *BRIDGES,
+    *ENDS_OF_TOWERS,
     *BORNE_FIRST,
     *NOT_THERE,
     *ALTERNATIVES,

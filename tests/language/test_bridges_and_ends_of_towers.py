@@ -5,12 +5,12 @@ import pytest
 from tests.language.meaning import code_of, means
 
 _ACROSS = (
-    "There are a red block and two blue blocks. The two blue blocks and the red block must form a pyramid with a base of "
-    "two blocks from top to bottom in the order the red block, then the two blue blocks."
+    "There are a red block and two blue blocks. The two blue blocks and the red block must form a pyramid with a base "
+    "of two blocks from top to bottom in the order the red block, then the two blue blocks."
 )
 _ORDERED = (
-    "There are a blue block, a green block and a red block. The blue, green and red blocks must form a tower of exactly "
-    "three from bottom to top in the order blue, green, red."
+    "There are a blue block, a green block and a red block. The blue, green and red blocks must form a tower of "
+    "exactly three from bottom to top in the order blue, green, red."
 )
 
 
@@ -32,13 +32,13 @@ _ORDERED = (
         (
             "Turn the tower of red on blue upside down.",
             "There are a red block and a blue block. At the start, the red and blue blocks are stacked from top to "
-            "bottom in the order red, blue. The red and blue blocks must form a tower of exactly two from bottom to top "
-            "in the order red, blue.",
+            "bottom in the order red, blue. The red and blue blocks must form a tower of exactly two from bottom to "
+            "top in the order red, blue.",
         ),
         (
             "The tower of two red blocks grows by a green one.",
-            "There are a green block and two red blocks. The two red blocks must be stacked. The green block must be on "
-            "the tower of the two red blocks.",
+            "There are a green block and two red blocks. The two red blocks must be stacked. The green block must be "
+            "on the tower of the two red blocks.",
         ),
         (
             "Split six red blocks evenly between two towers.",

@@ -1,5 +1,5 @@
-"""What stands at the ends of a tower, in other words: "the tower's base is blue", "blue is the base of the tower, red its
-top", "the tower grows by a green block", as rows that say it plainly."""
+"""What stands at the ends of a tower, in other words: "the tower's base is blue", "blue is the base of the tower, red
+its top", "the tower grows by a green block", as rows that say it plainly."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ _MORE = f"(?:another|(?:an?|one|two|three) (?:\\w+ )*{COLOR}) [^,.]+"
 
 ENDS_OF_TOWERS_AT_ONCE: tuple[Turn, ...] = (
     (f"\\bthe ({TOWER}|pyramid) 's ({_END})\\b", "the {2} of the {1}"),
-    (f"^use ({THING}) as (?:the|a) {_BASE}(?: of (?:the|a) {TOWER})?(?: ,| and| then)+ (?:stack|put|place|pile) ([^,.]+) "
-     "on (?:it|top|top of it)$", "stack {2} on {1}"),
+    (f"^use ({THING}) as (?:the|a) {_BASE}(?: of (?:the|a) {TOWER})?(?: ,| and| then)+ (?:stack|put|place|pile) "
+     "([^,.]+) on (?:it|top|top of it)$", "stack {2} on {1}"),
     (f"^heap (.+?)(?: up)? (in|into) (an?|one) ({TOWER})\\b", "stack {1} {2} {3} {4}"),
     ("\\bas (?:the|a) cherry on top(?= |$)", "on top"),
 )  # fmt: skip
 """What may be read as it stands, but not as it is meant."""
 ENDS_OF_TOWERS: tuple[Turn, ...] = (
-    (f"^({THING}) {_IS} the {_BASE} of (?:the|a) ({TOWER})(?: ,| and)+ ({THING}) (?:{_IS} )?(?:its|the) {_TOP}(?: ,| and|"
-     f" with)+ ({THING})(?: {_IS})? (?:in between|in the {MID}|between them)$",
+    (f"^({THING}) {_IS} the {_BASE} of (?:the|a) ({TOWER})(?: ,| and)+ ({THING}) (?:{_IS} )?(?:its|the) {_TOP}"
+     f"(?: ,| and| with)+ ({THING})(?: {_IS})? (?:in between|in the {MID}|between them)$",
      "a {2} with {1} at the bottom , {4} in the middle and {3} on top"),
     (f"\\b(?:the |its )?({_BASE}) and (?:the |its )?({_TOP})(?: are)?(?: both)? ({COLOR})(?=$| , (?:and )?(?:the|all))",
      "the {1} {3} , the {2} {3}"),

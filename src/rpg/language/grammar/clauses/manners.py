@@ -252,6 +252,7 @@ _LITTLE: dict[str, tuple[str, float | str | None]] = {
     "during the whole episode": ("always", None), "during the task": ("always", None), "at any time": ("always", None),
     "at any point": ("always", None), "ever": ("always", None),
     "the other way round": ("backwards", None), "the other way around": ("backwards", None),
+    "the other way up": ("backwards", None),
     "later": ("time", 50.0), "later on": ("time", 50.0),
     **{f"{lead}{wholly}": ("idle", "whole " + wholly)
        for lead in ("", ", ")

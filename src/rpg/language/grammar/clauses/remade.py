@@ -195,13 +195,14 @@ def _flipped(p: Parser, i: int, j: int) -> Results[Clause]:
         if order and not end:
             end = p.any_of(k, _OVER) or (k if p.words[i] == "flip" or p.stands(j - 1, _OVER) else 0)
         elif isinstance(theme, Structure) and theme.kind == "stack" and not end:
-            end = p.one(k, "over") or (k if p.words[i] == "flip" and (k >= p.end or p.stands(k, _CLOSED)) else 0)
+            end = p.any_of(k, _HEAD_OVER) or (k if p.words[i] == "flip" and (k >= p.end or p.stands(k, _CLOSED)) else 0)
         end, lemma = (end, "reverse") if end else (p.any_of(k, _AROUND), "turn around")
         for found, last in adjuncts(p, end) if end else ():
             yield replace(_clause(p, i, last, "reverse", theme, found), lemma=lemma), last
 
 
-_ROUND = ("the other way around", "the other way round", "other way around", "other way round")
+_ROUND = tuple(f"{the}other way {way}" for the in ("the ", "") for way in ("around", "round", "up"))
+_HEAD_OVER = ("over", "upside down", "on its head")
 _AROUND = ("around", "round")
 _OVER = (*_AROUND, "over", "upside down", "back to front")
 

@@ -98,10 +98,12 @@ _GO = ("go", "goes", "stand", "lie", "are", "are placed", "are arranged", "must 
 @rule
 def surrounded(p: Parser, i: int) -> Results[Meaning]:
     """One block with so many others around it: a plus of five, or the outline that is named with it in the middle."""
-    if j := p.any_of(i, ("surround", "encircle")):
+    if j := p.any_of(i, _ENCLOSE):
         for hub, k in _hubs(p, j):
-            for ring, end in _rings(p, p.any_of(k, ("with", "by"))):
+            for ring, end in _rings(p, p.any_of(k, ("with", "by", "in with", "in by"))):
                 yield from _shaped(p, i, end, hub, ring)
+            for ring, end in _rings(p, p.any_of(k, _IN_A_RING)):
+                yield _outlined(p, i, end, hub, ring, "circle"), end
     if j := p.one(i, "flank"):
         for hub, k in _hubs(p, j):
             for sides, end in _two(p, p.any_of(k, ("with", "by"))):
@@ -111,6 +113,9 @@ def surrounded(p: Parser, i: int) -> Results[Meaning]:
         yield from around_told(p, i)
 
 
+_ENCLOSE = ("surround", "encircle", "enclose", "fence in", "fence", "box in", "hem in")
+_IN_A_RING = tuple(f"{inside} a {ring} of" for inside in ("in", "within", "inside", "with", "by")
+                   for ring in ("ring", "circle"))  # fmt: skip
 _MARKS = frozenset({"around", "round", "surrounded", "encircled", "enclosed", "ringed", "flanked", "sides", "side",
                     "surrounding", "flank", "flanking", "enclose"})  # fmt: skip
 

@@ -152,10 +152,14 @@ BOARDS: tuple[Turn, ...] = (
     ("\\b(grid\\b.* in the (?:near|front) row) , in reading order$", "{1}"),
     ("\\b(grid) (?:that|which) reads (.+?) row by row(?: ,)?(?: (?:starting )?(?:from|at) the far left)?$",
      "{1} of {2} in reading order"),
-    (f"\\b(square|grid)\\b(.*?)(?: ,| with| and| so that)+ the(?: two)? {COLOR}{N}{_IS} (?:on (?:one|a|the same) "
+    (f"^((?:(?!\\b{COLOR}\\b).)*\\b(?:square|grid)\\b(?:(?!\\b{COLOR}\\b).)*?)(?: ,| with| and| so that)+ (?:the )?"
+     f"(?:two )?({COLOR}){N}{_IS} on one diagonal(?: ,| and)+ (?:the )?(?:two )?({COLOR}){N}{_IS} on the other(?: "
+     "diagonal| one)?$", "{1} of two {2} and two {3} blocks with equal colors diagonally opposite each other"),
+    (f"^(?=.*\\b({COLOR})\\b.*\\b\\1\\b)(.*\\b(?:square|grid)\\b.*?)(?: ,| with| and| so that)+ the(?: two)? {COLOR}{N}"
+     f"{_IS} (?:on (?:one|a|the same) "
      f"diagonal|diagonally opposite(?: to)?(?: each other)?|diagonal(?:ly)?(?: to| from)? each other)"
      f"(?:(?: ,| and)+ the(?: two)? {COLOR}{N}{_IS} on the other(?: diagonal| one)?)?$",
-     "{1} {2} with equal colors diagonally opposite each other"),
+     "{2} with equal colors diagonally opposite each other"),
     # one that differs
     (f"\\b(square|grid)\\b(.*?){_THAT} (?:all|every{N}{_IS}) ({COLOR}){N} {_BUT} (?:an?|one|the) ({COLOR}){N} (?:in|"
      f"at) the {MID}$", "{1} {2} with a {4} center and the rest {3}"),

@@ -19,6 +19,7 @@ from rpg.language.grammar.rows.beside_it import BESIDE_IT, BESIDE_IT_AT_ONCE
 from rpg.language.grammar.rows.besides import BESIDES, BESIDES_AT_ONCE
 from rpg.language.grammar.rows.borne_first import BORNE_FIRST
 from rpg.language.grammar.rows.both_bounds import BOTH_BOUNDS
+from rpg.language.grammar.rows.bridges import BRIDGES
 from rpg.language.grammar.rows.but_one import BUT_ONE, BUT_ONE_AT_ONCE, EXCEPTED_ACROSS
 from rpg.language.grammar.rows.by_turns import BY_TURNS_AT_ONCE
 from rpg.language.grammar.rows.cleared_parts import CLEARED_PARTS
@@ -33,6 +34,7 @@ from rpg.language.grammar.rows.destinations import DESTINATIONS
 from rpg.language.grammar.rows.distances import DISTANCES, DISTANCES_AT_ONCE, SPACED_AT_ONCE
 from rpg.language.grammar.rows.each_side import EACH_SIDE
 from rpg.language.grammar.rows.emphatic import EMPHATIC, EMPHATIC_AT_ONCE
+from rpg.language.grammar.rows.ends_of_towers import ENDS_OF_TOWERS, ENDS_OF_TOWERS_AT_ONCE
 from rpg.language.grammar.rows.everyday import EVERYDAY, EVERYDAY_AT_ONCE
 from rpg.language.grammar.rows.faced import FACED, FACED_AT_ONCE
 from rpg.language.grammar.rows.figures import BOARDS, FIGURES
@@ -179,6 +181,7 @@ _OF_ALL = (
     *STAIRS,
     *ONE_COLOR_EACH,
     *TOWERS_AT_ONCE,
+    *ENDS_OF_TOWERS_AT_ONCE,
     *UPWARD_AT_ONCE,
     *UPRIGHT_AT_ONCE,
     *OTHERWISE_AT_ONCE,
@@ -234,6 +237,8 @@ _OF_THE_UNREAD = (
     *GAPPED,
     *RELATED,
     *VERBS_OF_PLACE,
+    *BRIDGES,
+    *ENDS_OF_TOWERS,
     *BORNE_FIRST,
     *NOT_THERE,
     *ALTERNATIVES,

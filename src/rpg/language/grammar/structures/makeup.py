@@ -22,7 +22,7 @@ from rpg.language.grammar.structures.gradients import gradient
 from rpg.language.grammar.structures.heights import with_heights
 from rpg.language.grammar.structures.hues import in_colors, members_amount
 from rpg.language.grammar.structures.limbs import LIMBED, arms_told, limb
-from rpg.language.grammar.structures.outlines import HOLLOW, along_sides
+from rpg.language.grammar.structures.outlines import HOLLOW, along_sides, rim_of
 from rpg.language.grammar.structures.sizes import (
     IN_TOTAL,
     as_high,
@@ -198,7 +198,7 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
         return
     hollow = p.any_of(j, (",", ", and", ", but", "and", "but", ":")) or j
     if k := max(HOLLOW.matches(p, hollow), default=0):
-        yield from _sized(p, i, k, replace(base, filled=False, span=p.span(i, k)))
+        yield from _sized(p, i, k, replace(rim_of(p, hollow, k, base), filled=False, span=p.span(i, k)))
     if k := p.any_of(
         j, (", filled", ", filled in", ", solid", "that is filled", "that is filled in", ", completely filled")
     ):

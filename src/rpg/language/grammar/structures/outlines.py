@@ -51,6 +51,12 @@ _LEADS = ("with", ",", ", with", ":", "having", "that has", "which has", "and")
 _AND = ("and", ", and", ",", "but", ", but")
 
 
+def rim_of(p: Parser, i: int, j: int, base: Structure) -> Structure:
+    """ "A 3x3 grid with the center empty", "a 3x3 ring": the rim of a square, but no grid that has a hole."""
+    grid = base.kind == "grid" and "hole" not in p.words[i:j]
+    return replace(base, kind="square") if base.dims == (3, 3) and (grid or base.kind == "circle") else base
+
+
 def along_sides(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
     """An outline with what is said of its sides."""
     for size, k in _long_and_short(p, j) if base.kind == "rectangle" else ():

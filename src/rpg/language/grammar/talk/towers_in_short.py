@@ -142,6 +142,8 @@ def pairs_stacked(tokens: list[Token], words: list[str]) -> list[Token] | None:
 SPREAD = frozenset({"spread", "distribute", "divide", "split", "share", "sort"})
 _AMONG = frozenset({"among", "over", "into", "between", "across", "onto", "in"})
 
+_EVENLY = frozenset({"evenly", "equally"})
+
 
 def spread_over(tokens: list[Token], words: list[str]) -> list[Token] | None:
     """ "Distribute eight cubes over two towers": stack them into two towers."""
@@ -154,6 +156,9 @@ def spread_over(tokens: list[Token], words: list[str]) -> list[Token] | None:
         while noun < len(words) and words[noun] in ("equal", "equally", "high", "tall", "separate", *_SMALL):
             noun += 1
         if tokens[number].many > 1 and words[noun : noun + 1] in (["towers"], ["stacks"]):
-            what = [t for t, word in zip(tokens[at + 1 : over], words[at + 1 : over], strict=True) if word != "up"]
-            return [*tokens[:at], tokens[at].saying("stack"), *what, tokens[over].saying("into"), *tokens[number:]]
+            told = [t for t, word in zip(tokens[at + 1 : over], words[at + 1 : over], strict=True) if word != "up"]
+            what = [t for t in told if t.word not in _EVENLY]
+            size = [] if len(what) == len(told) or noun > number + 1 else [tokens[number].saying("equal")]
+            into = [tokens[over].saying("into"), tokens[number], *size, *tokens[number + 1 :]]
+            return [*tokens[:at], tokens[at].saying("stack"), *what, *into]
     return None

@@ -51,9 +51,9 @@ def figure(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope:
     if shape.kind == "rectangle" and shape.dims and shape.filled is not False and turned:
         return _rectangle(shape, spec, theme, scene, scope)
     if shape.kind in ("square", "rectangle") and shape.filled is not False and hub is None:
-        square = (
-            shape.kind == "square" and count is not None and count % 4 and math.isqrt(count) ** 2 == count and count > 1
-        )
+        turns = any(p.unit in ("checkerboard", "diagonal") for p in spec.patterns)
+        even = count is not None and count > 1 and math.isqrt(count) ** 2 == count
+        square = shape.kind == "square" and even and (turns or (count or 0) % 4)
         if shape.dims or shape.filled or square or shape.extent("rows", "columns", "wide", "long", "deep"):
             return grid(shape, spec, theme, scene, scope)
     if count is None and spec.usings and shape.kind in ("T", "L", "plus"):

@@ -86,6 +86,9 @@ def without_range(shape: Structure, per: int | None, blocks: int | None) -> Stru
 
 def each_number(node: s.Towers, shape: Structure, by_color: bool) -> g.Goal:
     """The towers, or as many of them as may be."""
+    if node.equal and node.count and len(node.blocks) % node.count:
+        raise refuse("count-mismatch", f"{len(node.blocks)} blocks do not make {node.count} equal towers", shape.span,
+                     "use as many for each tower", blocks=len(node.blocks), towers=node.count)  # fmt: skip
     amount = shape.amount
     if amount is None or amount.low == amount.high or by_color:
         return node

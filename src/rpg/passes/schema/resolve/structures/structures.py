@@ -107,8 +107,6 @@ def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
     one_on_another(shape, spec)
     shape = _paged(as_listed(shape, spec, theme, scene), spec, theme)
     _known_sizes(shape)
-    if shape.filled is False and shape.kind in ("grid", "circle") and shape.dims == (3, 3):  # the rim of a square
-        shape = replace(shape, kind="square")
     if shape.filled is False and shape.kind in _MASSIVE:
         raise refuse("unsupported-structure", f"a {shape.kind} has no hole here", shape.span, "say 'an outline square'")
     if shape.kind == "again":

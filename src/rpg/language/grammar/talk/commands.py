@@ -124,7 +124,7 @@ COMMANDS = Patterns(
     "any chance you could|can",
     "it would be nice|great|good|lovely|wonderful|perfect|cool|best|helpful|ideal to|if_you|if_you_could|if_we|"
     "if_we_could",
-    "ask|tell|have|let|make|get|instruct|command|program|teach|train the|your|a|our robot|arm|machine|gripper|"
+    "ask|tell|have|let|make|get|instruct|command|program|teach the|your|a|our robot|arm|machine|gripper|"
     "manipulator|agent|policy|model|network to?",
     "right|good|great|fine|alrighty|alright|okay|ok|now|well|so|yes team|everyone|folks|guys|kids? ,|:|so|then so? ,?",
     "hello|hi|hey|hiya|ciao|hola|bonjour|salut|howdy|dear|good_morning|good_evening|good_afternoon|greetings|yo there? "

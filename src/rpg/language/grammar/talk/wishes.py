@@ -200,7 +200,6 @@ STATES = Patterns(
     f"success {_WHEN}",
     f"the|our|my? goal|success|predicate|condition|goal_condition|success_condition|criterion "
     f"holds|is_met|is_true|is_satisfied|is_fulfilled {_WHEN}",
-    f"a|the|my secret|magic|hidden|treasure|heavy? door|gate|chest|safe|lock|portal|vault|box opens|unlocks {_WHEN}",
     f"it|this|that counts only? {_WHEN}",
     f"it|this|that is|counts_as|will_be a? win|success|victory|pass {_WHEN}",
     f"the|this|a|our? check|test|trial|task|case|scenario passes|pass|is_passed|is_met|succeeds {_WHEN}",

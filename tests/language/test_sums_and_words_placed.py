@@ -44,3 +44,15 @@ def test_words_on_two_sides() -> None:
         "The blocks H and I must be to the left of the blocks Y and O."
     )
     assert code_of("Spell CAT. Spell DOG on the right.") == "ambiguous"
+
+
+def test_a_sign_by_its_bare_name_is_no_figure() -> None:
+    assert means("Put the plus between 2 and 3.").endswith("The + block must be between the 2 block and the 3 block.")
+    assert "form a plus sign" in means("Make a plus of 5 red blocks.")
+
+
+@pytest.mark.parametrize(
+    "text", ["Spell CAT with DOG underneath, as two rows.", "Write CAT in one row and DOG in the row below."]
+)
+def test_the_row_below_is_nearer(text: str) -> None:
+    assert means(text) == means("Write CAT in the far row and DOG in the near row.")

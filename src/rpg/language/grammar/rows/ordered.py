@@ -140,8 +140,8 @@ _THESE = "((?:the )?(?:digits |numbers |letters )?\\w(?:(?: ,| and| , and| to| t
 ORDERED_AT_ONCE: tuple[Turn, ...] = (
     # which sort comes first, and then the symbols
     (f"^(?:in (?:a|one) row ,? ?)?(?:(?:put|place|sort|arrange|line up) )?(?=[^:]*\\b(?:vowels|consonants|evens?|odds?|"
-     f"letters)\\b[^:]* )((?:{_SORT} )*(?:first|before|then|followed by|after|left of|ahead of) (?:{_SORT} )*?)(?:in a row )?[:,] "
-     f"{_THESE}(?: in a row)?$", "a row of {2} , {1}"),
+     f"letters)\\b[^:]* )((?:{_SORT} )*(?:first|before|then|followed by|after|left of|ahead of) (?:{_SORT} )*?)"
+     f"(?:in a row )?[:,] {_THESE}(?: in a row)?$", "a row of {2} , {1}"),
     (f"\\b({_SYMBOLIC}) (\\w) down to (?=\\w\\b)", "{1} from {2} down to "),
     # the one kind of symbols before the other
     (f"{_LINED} {_KIND} {_COME}(?:before|ahead of) {_KIND}$", "{1} , the {2} first"),

@@ -59,3 +59,22 @@ def test_both_sides_of_the_middle_are_all_the_others() -> None:
 def test_what_cannot_be_its_own_mirror_image() -> None:
     assert code_of("A palindrome row with red, blue and green.") == "contradiction"
     assert "mirrored" in means("A symmetric row of two red, two blue and one green block.")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Vowels first, then the consonants: A, B, E, C.",
+        "Vowels before consonants: A, B, E, C.",
+        "Put the vowels before the consonants in a row: A, B, E, C.",
+    ],
+)
+def test_which_sort_comes_first_and_then_the_symbols(text: str) -> None:
+    assert means(text) == means("A row of A, B, E and C, vowels first.")
+
+
+def test_symbols_behind_the_sorts_stand_in_one_row() -> None:
+    assert means("Even numbers before odd numbers, 1 to 4.") == means("A row of 1 to 4, even numbers first.")
+    told = means("In a row, vowels left of consonants: A, B, E, C.")
+    assert "The blocks A, B, E and C must be in a row." in told
+    assert "to the left of the blocks B and C" in told

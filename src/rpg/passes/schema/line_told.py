@@ -87,7 +87,7 @@ def _in_one(said: Said) -> None:
                                "say first which blocks are in it, and then where")  # fmt: skip
 
 
-_OTHER = frozenset({"another", "other", "second", "next", "each", "every", "one", "two"})
+_OTHER = frozenset({"another", "other", "second", "next", "each", "every", "one", "two", "below", "underneath"})
 
 
 def _apart(said: Said) -> None:

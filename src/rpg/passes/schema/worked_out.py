@@ -7,7 +7,7 @@ import string
 from collections.abc import Collection, Sequence
 
 from rpg.language import lexicon
-from rpg.language.grammar.structures.equations import value_of
+from rpg.language.grammar.structures.equations import NAMED, value_of
 from rpg.language.tokens import Token
 
 _THAN = frozenset({"greater", "larger", "bigger", "higher", "more", "smaller", "lower", "less", "fewer", "littler",
@@ -41,8 +41,19 @@ def _calculated(words: Sequence[Token], index: int, shown: Collection[str]) -> b
     while end + 2 < len(words) and _sign(words[end + 1]) and _number(words[end + 2]) is not None:
         end += 2
     side = "".join(_sign(token) or str(_number(token)) for token in words[begin : end + 1])
-    result = value_of(side) if end > begin else None
+    side = side if end > begin else _named(words, index)
+    result = value_of(side) if side else None
     return result is not None and str(result) in shown
+
+
+def _named(words: Sequence[Token], index: int) -> str:
+    """ "The sum of 2 and 3": what is to be calculated there."""
+    for at in (index - 2, index - 4):
+        said = words[at : at + 5] if at >= 0 else ()
+        if [token.word for token in said[1::2]] in (["of", "and"], ["between", "and"]) and said[0].word in NAMED:
+            one, two = _number(said[2]), _number(said[4])
+            return f"{one}{NAMED[said[0].word]}{two}" if one is not None and two is not None else ""
+    return ""
 
 
 def _by_place(words: Sequence[Token], index: int, shown: Collection[str]) -> bool:

@@ -38,7 +38,17 @@ _BARE = f"(?:(?! is | {MUST} | be | measured ).)"
 _NAMED = f"(?:(?:the|an?) (?:\\w+ )?)?(?:{COLOR}|{BLOCK}|{LABEL})\\b"
 _MEASURED = "(?:(?:,|as|when)? ?measured )?(?:from )?(?:center to center|(?:their )?centers? to (?:their )?centers?)"
 
+_ONE_LINE = (
+    "(?=.*\\b(?:row|line|column|spell|write)\\b)(?!.*\\b(?:rows|lines|columns|towers|stacks|words|twice|cm|mm)\\b)"
+)
+_SOME_GAPS = "(?:(?:an?|some) )?(?:free |empty )?(?:gaps?|spaces?|room|air)(?: left)?"
+
 DISTANCES: tuple[Turn, ...] = (
+    # gaps of any width in a line
+    *((f"^{_ONE_LINE}(.+?)(?: ,)?(?: and)? (?:with|leaving|leave|having|keeping|keep) {_SOME_GAPS}(?: in)? between "
+       f"{whom}$", f"{{1}} so that {they} do not touch each other")
+      for whom, they in (("(?:the |neighboring |any two |every two |all )?(letter|block|cube|digit)s", "the {2s}"),
+                         ("(?:them|each other|(?:the )?neighbors)", "the blocks"))),
     ("\\bfrom every other(?: one| block| cube)?(?=$| ,)", "from all others"),
     (f"^(.+? and .+?) ({MUST}) (?:keep|have|maintain) (?:a|their) distance of ({_FAR})(?: (?:from|to) (?:each other|"
      "one another))?$", "{1} {2} be {3} apart"),

@@ -130,7 +130,18 @@ _LINED = f"^((?:.*? )?(?:row|lined?|arrange|order)\\b.*?)(?:(?: ,| :)(?: {_SO})?
 _KIND = "(?:the |all |all the |all of the )?(letters|digits|numbers)(?: cubes| blocks)?"
 _COME = f"(?:(?:{MUST} )?(?:come|go|stand|be|are|coming|standing|going|placed) )?"
 _SYMBOLIC = "(?:digits|numbers|letters|numerals|(?:digit|number|letter) (?:blocks|cubes))"
+_SORT = (
+    "(?:the|all|vowels|consonants|letters|digits|numbers|even|odd|evens|odds|ones|first|before|then|followed by|and|"
+    "come|go|after|to the left of|left of|ahead of|,)"
+)
+"""What tells which sort comes first."""
+_THESE = "((?:the )?(?:digits |numbers |letters )?\\w(?:(?: ,| and| , and| to| through)? \\w(?= |$))+)"
+
 ORDERED_AT_ONCE: tuple[Turn, ...] = (
+    # which sort comes first, and then the symbols
+    (f"^(?:in (?:a|one) row ,? ?)?(?:(?:put|place|sort|arrange|line up) )?(?=[^:]*\\b(?:vowels|consonants|evens?|odds?|"
+     f"letters)\\b[^:]* )((?:{_SORT} )*(?:first|before|then|followed by|after|left of|ahead of) (?:{_SORT} )*?)"
+     f"(?:in a row )?[:,] {_THESE}(?: in a row)?$", "a row of {2} , {1}"),
     (f"\\b({_SYMBOLIC}) (\\w) down to (?=\\w\\b)", "{1} from {2} down to "),
     # the one kind of symbols before the other
     (f"{_LINED} {_KIND} {_COME}(?:before|ahead of) {_KIND}$", "{1} , the {2} first"),

@@ -118,7 +118,7 @@ TWO_ROWS_AT_ONCE: tuple[Turn, ...] = (
     (f"^{_SPELL}(?: the word)? {_WORD}{_IN_LETTERS}(?: ,)? and(?: ,)? {_LOWER} it(?: ,)?(?: the word)? {_WORD}$",
      "write {1} in the far row and {2} in the near row"),
     (f"^{_SPELL}(?: the word)? {_WORD}{_IN_LETTERS}(?: ,)? (?:and|with)(?: the word)? {_WORD} {_LOWER}"
-     "(?: it)?$", "write {1} in the far row and {2} in the near row"),
+     "(?: it)?(?: ,)?(?: (?:as|in|on) (?:two|2) (?:rows|lines))?$", "write {1} in the far row and {2} in the near row"),
     (f"^{_SPELL}(?: the word)? {_WORD} {_LOWER}(?: the word)? {_WORD}$",
      "write {2} in the far row and {1} in the near row"),
     (f"^{_SPELL}(?: the word)? {_WORD} (?:right |directly |just )?above(?: the word)? {_WORD}$",

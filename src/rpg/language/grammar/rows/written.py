@@ -33,6 +33,10 @@ _READS = (
 """What a word reads when it is turned round: told once more, and held against it."""
 
 WRITTEN_AT_ONCE: tuple[Turn, ...] = (
+    # signs that are called by their bare names, beside digits
+    ("^(?=.*\\b\\d\\b)(?!.*\\b(?:build|make|form|lay|create|shape|arrange|blocks|cubes|cm|mm)\\b)(.*?)\\b(the|an?) "
+     "(plus|minus|equals|times)(?= (?:between|left|right|to|on|behind|in|next|beside|and|is|must)\\b|$)",
+     "{1} {2} {3} sign"),
     # words down a tower
     ("\\b(tower|stack) of (?:letter (?:cubes|blocks|tiles)|letters)(?: ,)? (?=(?:that|which|spelling|reading|saying) "
      ")",
@@ -78,7 +82,8 @@ WRITTEN_AT_ONCE: tuple[Turn, ...] = (
     (f"^two words {MUST} be {_SPELLED}(?: ,| :)? {_WORD} in the {_FAR} row(?: ,| and| , and) {_WORD} in the {_NEAR} "
      "row$", "{1} in the far row and {2} in the near row"),
     (f"^{_SPELL} {_WORD} in (?:the {_FAR}|one|a) row(?: ,)? and {_WORD} in (?:the {_NEAR} row|another row in front of "
-     "it)$", "{1} in the far row and {2} in the near row"),
+     "it|(?:the|a) (?:next )?row (?:below|underneath|beneath|under)(?: it)?)$",
+     "{1} in the far row and {2} in the near row"),
     (f"^(?:the )?(?:{_FAR}) row {_SPELLS} {_WORD}(?: ,| and| , and) the {_NEAR} row {_SPELLS} {_WORD}$",
      "{1} in the far row and {2} in the near row"),
     # grids

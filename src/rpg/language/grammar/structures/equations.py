@@ -82,8 +82,22 @@ def solved(p: Parser, i: int) -> Results[str]:
 _SIGNS = {"+": "+", "-": "-", "–": "-", "−": "-", "*": "*", "×": "*", "/": "/", "÷": "/"}
 
 
+NAMED = {"sum": "+", "total": "+", "product": "*", "difference": "-", "quotient": "/"}
+"""Calculations that are called by their names."""
+
+
+def _of_two(p: Parser, i: int) -> tuple[str, int]:
+    """ "the sum of 2 and 3": the text of that, and the position after it."""
+    sign = p.lex(i, NAMED)
+    j = p.any_of(i + 1, ("of", "between")) if sign else 0
+    one, two = (p.number(j), p.number(j + 2)) if j and p.stands(j + 1, ("and",)) else (None, None)
+    return (f"{one}{sign}{two}", p.reach(j + 3)) if one is not None and two is not None else ("", 0)
+
+
 def operation(p: Parser, i: int) -> tuple[str, int]:
-    """ "6 - 2", "three plus five", "8/2": the text of a calculation, and the position after it."""
+    """ "6 - 2", "three plus five", "the sum of 2 and 3": the text of a calculation, and the position after it."""
+    if (named := _of_two(p, p.opt(i, "the")))[1]:
+        return named
     text, at = "", i
     token = p.token(at)
     if token is not None and token.kind == "equation" and re.fullmatch(r"\d+([-+*/]\d+)+=?", str(token.value)):

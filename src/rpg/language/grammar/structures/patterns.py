@@ -200,7 +200,8 @@ _TOUCH = Patterns(
 _EQUAL_GAPS = Patterns(
     "with|leaving|keeping|having|leave|let|keep|have|and_leave|and_let|and_keep|and_have the|an|always? "
     "same|equal|even|identical|regular gap|gaps|space|spaces|distance|distances|spacing|room "
-    "in_between|between_them|between_the_blocks|between_the_cubes|between_each_other|between_all_of_them|"
+    "in_between|between_them|between_the_blocks|between_the_cubes|between_the_letters|between_letters|"
+    "between_the_digits|between_each_other|between_all_of_them|"
     "between_neighbors|between_the_neighbors|between_each_block|between_each_cube|between_each_of_them?",
     ",? each|every_one|all_of_them at? the|an same|equal distance from|to|apart_from "
     "the_next|the_next_one|its_neighbor|its_neighbors|the_one_before|the_others",

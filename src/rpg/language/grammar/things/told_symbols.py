@@ -29,6 +29,11 @@ _THE_ANSWER = Patterns(
     f"the|a {_CUBE} {_SHOWS} the {_RIGHT}? {_ANSWER} {_OF_IT}",
     f"the|a {_CUBE} {_SHOWS} how_much|what",
 )
+_WHOSE_VALUE = Patterns(
+    f"the|a {_CUBE} {_SHOWS}|equals|is_equal_to",
+    f"the|a {_CUBE} equal to",
+    f"the|a {_CUBE} with|showing the? value|number? of?",
+)
 _IS = ("is", "makes", "gives", "equals", "are", "make", "comes to")
 _LARGER = Patterns(f"the {_RANKS} number|digit|one|cube|block|number_cube|value? of|out_of|among|from the? "
                    "two|three|four? numbers|digits|cubes|number_cubes|digit_cubes|blocks?")  # fmt: skip
@@ -72,8 +77,17 @@ def _answer(p: Parser, i: int) -> Results[Noun]:
         if p.follows(j, ("much", "what")) and k:
             k = p.any_of(k, _IS)
         if k and result is not None and result.denominator == 1 and 0 <= result <= 9:
-            marks = Traits(labels=(str(result),), kind="digit")
-            yield Noun(head="block", det="the", traits=marks, span=p.span(i, k)), k
+            yield _digit(p, i, k, str(result)), k
+    for j in (i, *_WHOSE_VALUE.matches(p, i)):
+        side, k = operation(p, j) if j > i or p.stands(i, _THE) else ("", 0)
+        result = value_of(side) if k else None
+        if result is not None and result.denominator == 1 and 0 <= result <= 9:
+            yield _digit(p, i, k, str(result)), k
+
+
+def _digit(p: Parser, i: int, k: int, label: str) -> Noun:
+    """The cube with a digit, told from i to k."""
+    return Noun(head="block", det="the", traits=Traits(labels=(label,), kind="digit"), span=p.span(i, k))
 
 
 @choice

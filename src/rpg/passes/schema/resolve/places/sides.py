@@ -203,15 +203,15 @@ def _of_what(item: Loose, goal: g.Goal, scene: Scene) -> None:
         if b.kind not in (*SIDES, "pile", "towers", "word", "equation") and set(ref.names) < set(b.members):
             raise refuse("ambiguous", f"this could be a side of the table or of the {b.kind}", at_.span, "say of what")
     others = [b for b in scene.built if not set(ref.names) & set(b.members)]
-    figure = any(b.kind not in SIDES and len(b.members) > 2 for b in others)
-    if at_.side == "middle" and figure:
+    if at_.side == "middle" and any(b.kind not in SIDES and len(b.members) > 2 for b in others):
         raise refuse("ambiguous", "this could be the middle of the table or of the figure", at_.span,
                      "say 'of the table'")  # fmt: skip
     of_a_line(ref, at_, scene)
     of_a_word(ref, at_, scene)
     line = next((b for b in scene.built if b.kind in SIDES and not {*b.members} <= {*ref.names}), None)
-    if line is not None and ref.built and at_.side != "middle":
-        raise refuse("ambiguous", f"this could be a side of the table or of the {line.kind}", at_.span,
+    by_it = line or next((b for b in others if b.kind == "word"), None)
+    if by_it is not None and ref.built and at_.side != "middle":
+        raise refuse("ambiguous", f"this could be a side of the table or of the {by_it.kind}", at_.span,
                      "say 'half of the table', or of what")  # fmt: skip
     if line is not None and line.kind != "stack" and at_.side in SIDES[line.kind]:
         raise refuse("ambiguous", f"this could be a side of the table or an end of the {line.kind}", at_.span,

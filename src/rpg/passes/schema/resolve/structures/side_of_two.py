@@ -22,6 +22,7 @@ def sided(spec: Spec) -> bool:
 def side_of_two(ref: Ref, clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goal]:
     """Where one of the only two structures of a kind is said to be on a side, it is on that side of the other one."""
     known = isinstance(clause.theme, Structure) and clause.theme.det == "the" and not clause.theme.members
+    known = known and clause.verb != "spell"  # a word that is only made here
     if not known or scope.start or clause.negated or len(ref.built) != 1 or not sided(spec):
         return []
     here = ref.built[0]

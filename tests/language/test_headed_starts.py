@@ -45,8 +45,11 @@ def test_from_one_block_to_another(text: str) -> None:
     assert start_and_end(text) == begun
 
 
-@pytest.mark.parametrize("text", ["Put red on blue. Then move red from blue to green.",
-                                  "There are a red, a blue and a green patch. Move the cube from red to blue."])  # fmt: skip
+_ELSEWHERE = ("Put red on blue. Then move red from blue to green.",
+              "There are a red, a blue and a green patch. Move the cube from red to blue.")  # fmt: skip
+
+
+@pytest.mark.parametrize("text", _ELSEWHERE)
 def test_where_it_is_put_first_or_mats_have_colors(text: str) -> None:
     assert code_of(text) != ""
 
@@ -59,3 +62,21 @@ def test_one_and_the_others_of_a_number() -> None:
 def test_equally_many() -> None:
     told = means("Equally many blocks on the red patch and the blue patch, four blocks.")
     assert told == means("As many blocks on the red patch as on the blue patch; there are four blocks.")
+
+
+@pytest.mark.parametrize("text", ["At some point red must be on blue. In the end green is on blue.",
+                                  "Red is briefly on blue, then green is on blue."])  # fmt: skip
+def test_what_is_so_on_the_way_is_a_step(text: str) -> None:
+    assert start_and_end(text)[1] == (
+        "First, the red block must be on the blue block. Then, the green block must be on the blue block."
+    )
+
+
+def test_what_comes_off_a_mat_was_there() -> None:
+    assert start_and_end("Red stays on the patch, blue comes off it.")[0].endswith(
+        "the blue block is on the gray patch"
+    )
+
+
+def test_not_one_but_the_other() -> None:
+    assert means("Not red but blue on the patch.") == means("Blue must be on the patch. Red must not be on the patch.")

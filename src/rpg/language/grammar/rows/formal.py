@@ -108,7 +108,7 @@ from rpg.language.grammar.rows.sums_asked import sums_asked
 from rpg.language.grammar.rows.sums_on_a_patch import sums_on_a_patch
 from rpg.language.grammar.rows.swapped_over import swapped_over
 from rpg.language.grammar.rows.task_told import TASK_TOLD
-from rpg.language.grammar.rows.times import AT_THE_END, BEFORE_IT, OFF_FIRST
+from rpg.language.grammar.rows.times import AT_THE_END, BEFORE_IT, IN_PASSING, OFF_FIRST
 from rpg.language.grammar.rows.told_once import TOLD_ONCE
 from rpg.language.grammar.rows.tower_orders import UPRIGHT_AT_ONCE, UPWARD, UPWARD_AT_ONCE
 from rpg.language.grammar.rows.towers import TOWERS, TOWERS_AT_ONCE
@@ -281,6 +281,7 @@ AT_ONCE, UNREAD, OVER_ALL = (
         (
             *IGNORED_THERE,
             *FALLEN,
+            *IN_PASSING,
             *FROM_BLOCK_TO_BLOCK,
             *EITHER_WAY,
             *OFF_ONTO,

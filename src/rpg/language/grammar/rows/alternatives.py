@@ -34,6 +34,8 @@ _OR = "(?: ,)? or"
 ALTERNATIVES_AT_ONCE: tuple[Turn, ...] = (
     # what "or" leaves open anyway
     ("^(.* or .+?)(?: ,)? or (?:even |maybe |perhaps |possibly )?both(?: of (?:them|these))?$", "{1}"),
+    ("^(.* or .+?) , never both(?: of (?:them|these))?(?: at once| at the same time)?$", "{1} , but not both"),
+    (f"^(?:either )?(all) or none (of (?:the )?(?:{FEW}) .+?) ({PLACE} .+)$", "either {1} {2} or none {2} {3}"),
     ("^([^,]+) , ([^,]+?)(?: ,)? or (?:even |maybe |perhaps |possibly )?both$", "{1} or {2}"),
 )
 """What is looked for, and what is said instead; in every sentence."""

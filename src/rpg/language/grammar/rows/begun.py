@@ -109,6 +109,7 @@ BEGUN_AT_ONCE: tuple[Turn, ...] = (
      "at the start there is a {3} of {4} with {2} on top . {1} {2}"),
     ("^to (?:get (?:to|at)|reach|access|free) [^,]*?\\b(?:of|in|under) (the (?:tower|stack)\\b.*?) , ((?:please )?"
      "(?:first )?(?:unstack|dismantle|take apart|take down)) it\\b", "{2} {1}"),
+    (f"^((?:the|all|these|my|our|{MANY}) [^,:]*?\\bin an? (?:row|line|column)) {TIME} :", "at the start {1} :"),
     # two of whom each begins somewhere and goes elsewhere
     (f"^({_ONE_OF_TWO})(?: ,)?(?: and| while| whereas| but|(?<= ,)) ({_ONE_OF_TWO})$", "{1} . {2}"),
     # how it is, and what becomes of it, in one sentence
@@ -222,6 +223,16 @@ BEGUN_AT_ONCE: tuple[Turn, ...] = (
 )  # fmt: skip
 """What is read otherwise as it stands."""
 
+_WAY = f"from ({ONE}|the {MAT}|the table) (?:over |across )?(?:to|onto|on to|on) ({ONE})(?= [.;!]|$)"
+_NO_MATS = (
+    f"^(?!.*\\b(?:{COLOR} {MAT}|{MAT}e?s)\\b)((?:(?:(?!\\b(?:{COMMAND}|{MUST}|first)\\b)[^.;])*[.;] )*)(?:please )?"
+)
+"""Where mats are called by their colours, "from red to blue" may be from mat to mat; behind a command it is no
+start."""
+FROM_BLOCK_TO_BLOCK: tuple[Turn, ...] = (
+    (f"{_NO_MATS}(?:{MOVE} ({ONE})|({ONE}) {GOES}) {_WAY}", "{1} at the start {2} {3} is on {4} . put {2} {3} on {5}"),
+)  # fmt: skip
+"""Over a whole text: of blocks, "from" tells what something is on, and "to" what it goes on."""
 BEGUN: tuple[Turn, ...] = (
     (f"^(an?|one) ({LINE}) has ({LAYERS})$", "there is {1} {2} with {3}"),
     (f"\\b(an? {LINE}) ({LAYERS})$", "{1} with {2}"),

@@ -65,6 +65,9 @@ BESIDES: tuple[Turn, ...] = (
     (f"^({THING}) (?:starts|begins|is|lies|stands)(?: {_AT_FIRST})? (on|in) (the [^,]+?)(?: and| , and| , but| but) "
      f"(?:it )?{MUST} (?:leave|get off|come off|go away from) (?:it|there|that|that {PATCH}|the {PATCH})$",
      "at the start , {1} is {2} {3} . {1} must not be {2} {3}"),
+    # what alone counts
+    ("^(?:(?:all|the only thing) (?:that )?|what )(?:matters|counts)(?: here| most)? is (?:that )?(.+)$",
+     "at the end {1}"),
     # how it looks
     ("^(?:what|how) (?:it|everything|the table|the scene|the result) (?:should|must|has to|is to) look(?: like)?(?: "
      "(?:at|in) the end| afterwards| finally)? ?(?:is|:|is this :|is like this :) (.+)$", "{1}"),

@@ -3,6 +3,7 @@ rows that say it once; and what only looks denied."""
 
 from __future__ import annotations
 
+from rpg.language.grammar.rows.said_short import PLACE, THING
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import COLOR, FEW, LINE, MUST
 
@@ -16,6 +17,9 @@ _JUST = "no more(?: and| ,)? no (?:fewer|less)"
 _THEM = "(?: of (?:them|these|those)| one)?(?: ,)?(?: though)?"
 
 CONTRASTED: tuple[Turn, ...] = (
+    # which of two it is, told ahead of the place
+    (f"^(?:put )?not ({THING}) but ({THING}) ({PLACE} .+)$", "{2} must be {3} . {1} must not be {3}"),
+    (f"^(?:put )?({THING}) , not ({THING}) , ({PLACE} .+)$", "{1} must be {3} . {2} must not be {3}"),
     # the contrary, which what is said before excludes
     ("^(.+?)(?: ,)? (?:and )?not (?:the other way (?:round|around)|vice versa|the reverse)$", "{1}"),
     (f"^(.*?\\b({COLOR}){_ONE}(?: {MUST} be| is| goes)? ({_AT}) (?:the )?({COLOR}){_ONE})(?: ,)? (?:and )?not "

@@ -134,7 +134,17 @@ COUNTED: tuple[Turn, ...] = (
       for told, named, last in ((_THREE, "{2} , {3} and {4}", 5), (_TWO, "{2} and {3}", 4))),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
+_MAT = f"(the (?:{COLOR} )?{PATCH}|the {COLOR} one)"
 SHARED_OUT: tuple[Turn, ...] = (
+    (f"^(?:the )?({MANY} (?:blocks|cubes)) : (half|{MANY}) ({_WHERE}?)(?: ,| and| , and) (half|the (?:others|rest)) "
+     f"({_WHERE})$", "put {2} of the {1} {3} and {4} {5}"),
+    (f"^one (block|cube) ({_WHERE}?)(?: ,| and| , and) the (others|rest) ({_WHERE}?) , (?:there are )?({MANY}) "
+     "(blocks|cubes)(?: in (?:all|total))?$", "put one of the {5} {6} {2} and the {3} {4}"),
+    *((f"^(?:put |place )?equally many {many} on {_MAT} and (?:on )?{_MAT}{behind}$", f"as many {said}")
+      for many, behind, said in (
+          ("(blocks|cubes)", "", "{1} on {2} as on {3}"),
+          ("(blocks|cubes)", f" , ({MANY}) (?:blocks|cubes)", "{1} on {2} as on {3} . there are {4} {1}"),
+          (f"of the ({MANY}) (blocks|cubes)", "", "{2} on {3} as on {4} . there are {1} {2}"))),
     (f"^(?:out )?(?:of|from) (?:the )?({_SO_MANY}) , ({MANY} {_THERE} .+? {_OTHERS})$", "{1} : {2}"),
     (f"^({MANY}) of (?:the )?({_SO_MANY}) ({_THERE} .+? {_OTHERS})$", "{2} : {1} {3}"),
     (f"^(?:{PUT} )?((?:half|{MANY}) of (?:the )?{_SO_MANY}) (?:{_GO} )?({_WHERE}?)(?: ,| and| , and| , while) "

@@ -14,7 +14,7 @@ from rpg.language.grammar.rows.asked_aloud import ASKED_ALOUD, ASKED_ALOUD_AT_ON
 from rpg.language.grammar.rows.barred_there import BARRED_THERE, BARRED_THERE_AT_ONCE
 from rpg.language.grammar.rows.become import BECOME, BECOME_AT_ONCE
 from rpg.language.grammar.rows.before_and_after import BEFORE_AND_AFTER, ORDER_CHANGED, WITH_ITS_TOP
-from rpg.language.grammar.rows.begun import BEGUN, BEGUN_AT_ONCE
+from rpg.language.grammar.rows.begun import BEGUN, BEGUN_AT_ONCE, FROM_BLOCK_TO_BLOCK
 from rpg.language.grammar.rows.beside_it import BESIDE_IT, BESIDE_IT_AT_ONCE
 from rpg.language.grammar.rows.besides import BESIDES, BESIDES_AT_ONCE
 from rpg.language.grammar.rows.borne_first import BORNE_FIRST
@@ -41,6 +41,7 @@ from rpg.language.grammar.rows.figures import BOARDS, FIGURES
 from rpg.language.grammar.rows.figures_asked import FIGURES_ASKED_AT_ONCE
 from rpg.language.grammar.rows.from_to import FROM_TO
 from rpg.language.grammar.rows.gapped import GAPPED, GAPPED_AT_ONCE
+from rpg.language.grammar.rows.headed_start import headed_start
 from rpg.language.grammar.rows.how_far import HOW_FAR, HOW_FAR_AT_ONCE
 from rpg.language.grammar.rows.ignored_there import IGNORED_THERE
 from rpg.language.grammar.rows.in_conversation import IN_CONVERSATION, TOLD_OF_BOTH
@@ -107,7 +108,7 @@ from rpg.language.grammar.rows.sums_asked import sums_asked
 from rpg.language.grammar.rows.sums_on_a_patch import sums_on_a_patch
 from rpg.language.grammar.rows.swapped_over import swapped_over
 from rpg.language.grammar.rows.task_told import TASK_TOLD
-from rpg.language.grammar.rows.times import AT_THE_END, BEFORE_IT, OFF_FIRST
+from rpg.language.grammar.rows.times import AT_THE_END, BEFORE_IT, IN_PASSING, OFF_FIRST
 from rpg.language.grammar.rows.told_once import TOLD_ONCE
 from rpg.language.grammar.rows.tower_orders import UPRIGHT_AT_ONCE, UPWARD, UPWARD_AT_ONCE
 from rpg.language.grammar.rows.towers import TOWERS, TOWERS_AT_ONCE
@@ -280,6 +281,8 @@ AT_ONCE, UNREAD, OVER_ALL = (
         (
             *IGNORED_THERE,
             *FALLEN,
+            *IN_PASSING,
+            *FROM_BLOCK_TO_BLOCK,
             *EITHER_WAY,
             *OFF_ONTO,
             *WHICHEVER,
@@ -339,8 +342,9 @@ def _steps_told(tokens: list[Token]) -> list[Token]:
 
 
 _CHANGES = (
-    sums_asked, sums_on_a_patch, one_row_and_one, listed_lines, column_words, labels_counted, announced_rainbow,
-    swapped_over, result_told, palindromes, one_more, all_sides, around_named, some_of_the_letters, row_with_ends,
+    headed_start, sums_asked, sums_on_a_patch, one_row_and_one, listed_lines, column_words, labels_counted,
+    announced_rainbow, swapped_over, result_told, palindromes, one_more, all_sides, around_named, some_of_the_letters,
+    row_with_ends,
     other_end_named, rows_by_number, told_by_places, _steps_told, _one_of_each, of_each_color, corners_again,
     not_at_end, of_the_figure, word_again, range_but, not_consecutive, so_many_inside, so_many_on_each,
     others_elsewhere, others_counted, word_of_letters, leave_to_move, listed_of_all, row_edited, not_falling,

@@ -71,6 +71,9 @@ OFF_ONTO: tuple[Turn, ...] = (
 )  # fmt: skip
 """Over a whole text: "onto the blue one" is onto the blue mat where nothing else is called blue."""
 MOVED_OFF_AT_ONCE: tuple[Turn, ...] = (
+    # what leaves a mat starts there
+    (f"\\b(?:comes|goes|gets) off (the (?:{COLOR} )?{PATCH})\\b", "leaves {1}"),
+    (f"^(.*\\b{PATCH}\\b.*) (?:comes|goes|gets) off(?: it)?(?= ,| and\\b|$)", "{1} leaves it"),
     (f"^{_MOVE} ({_SOME}) ({_BLOCKS}){_LYING} {_HERE} {_TO}{_END}",
      "at the start , {2} are {3} . {1} {2} must be moved {4}"),
     (f"^{_MOVE} ({_SOME}) ({_BLOCKS}) {_FROM} {_TO}{_END}",

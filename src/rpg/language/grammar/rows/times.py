@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from rpg.language.grammar.rows.said_short import PLACE, THING
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import LENGTH, LINE, MUST
+from rpg.language.grammar.rows.vocabulary import COLOR, LENGTH, LINE, MUST, PATCH
 
 _MUST = f"(?:{MUST}|may|can|might)"
 _NEVER = "(?:at no (?:time|point|moment|stage|instant)|on no occasion|not once|never ever|not ever)"
@@ -37,7 +37,25 @@ OFF_FIRST: tuple[Turn, ...] = (
     (f"^(?:please )?({_LIFT}) ({THING}|it|them) (off|away|down) first$", "first {1} {2} {3}"),
 )  # fmt: skip
 """What is done before anything else, of which the order would be lost; in every sentence."""
+_AT_LAST = "(?: ,)? (?:\\.|;|,|and|but) (?:and |but )?(?:(?:at|in) the end|finally)(?: ,)?"
+_ONCE = "at some (?:point|time|stage|moment)"
+_SHORTLY = "(?:temporarily|briefly|momentarily|for a (?:short |brief )?(?:moment|while|second|time))"
+_MAT = f"(the (?:{COLOR} )?{PATCH})"
+IN_PASSING: tuple[Turn, ...] = (
+    (f"^{_ONCE}(?: ,)? ([^.;]+?){_AT_LAST} ([^.;]+)(?= \\.|$)", "first {1} . then {2}"),
+    (f"^([^.;]+?) {_ONCE}{_AT_LAST} ([^.;]+)(?= \\.|$)", "first {1} . then {2}"),
+    (f" {_SHORTLY}(?=(?: [^.;,]*)? [.;,] (?:and |only )?then\\b)", ""),
+    (f"\\bvisit {_MAT} with ({THING})(?: ,)? (?:and )?then (?:visit )?{_MAT}", "move {2} onto {1} , then onto {3}"),
+)  # fmt: skip
+"""Over a whole text: what is so on the way, and what comes behind it."""
+_BEGUN = "(?:at (?:the )?(?:start|beginning)|at first|initially)"
+_AT_END = "(?:(?:at|in) the end|finally|afterwards)"
 AT_TIMES: tuple[Turn, ...] = (
+    (f"^{_MAT} is empty {_BEGUN}(?: ,)? (?:and|but) (?:it )?(?:holds|has|contains) ([^,]+?)(?: on it)? {_AT_END}$",
+     "at the start {1} is empty . {2} must be on {1}"),
+    ("^(?:by no means|under no circumstances|on no account|in no case)(?: ,)? (?=put|place|move|set|stack|touch)",
+     "do not "),
+    (f"^({THING}) (?:is|are) (never|not) (?:allowed|permitted) ({PLACE} .+)$", "{1} must {2} be {3}"),
     # told under a heading
     (f"^(?:never(?: allowed)?|forbidden|prohibited|not allowed|must never happen|must not happen) : ({THING}) "
      f"({PLACE} {THING}|{_PLACE})$", "{1} must never be {2}"),

@@ -14,6 +14,9 @@ _RARE = 2
 """What a word that is seldom said of blocks is less likely meant, against one that often is."""
 _WILD = 3
 """A slip that is made with no finger and by no ear."""
+_GLUED = frozenset({"a", "the", "of", "on", "in", "to", "at", "by", "is", "it", "and", "from", "with", "next", "put",
+                    "block", "cube", "row", "tower", "all", "red", "blue", "green"})  # fmt: skip
+"""Words between which a space is left out."""
 _VOWELS = frozenset("aeiouy")
 MIXED_UP = {
     "too": "to", "then": "than", "than": "then", "form": "from", "from": "form", "there": "their", "their": "there",
@@ -44,8 +47,11 @@ def meant_by(word: str) -> tuple[tuple[int, str], ...]:
     if not _may_be_one(word):
         return ()
     near = nearest(word, 1 if len(word) < LONG_WORD else 2)
-    found = [(_unlikely(word, known), known) for known in near if len(known) > 2 and known not in NO_SLIPS]
-    likely = [(cost + _RARE * (known not in COMMON_WORDS), known) for cost, known in found if cost < _WILD]
+    usual = [known for known in near if known in COMMON_WORDS]
+    seldom = [known for known in near if known not in COMMON_WORDS and known not in NO_SLIPS and len(known) > 2]
+    apart = [(1, f"{word[:n]} {word[n:]}") for n in range(1, len(word)) if {word[:n], word[n:]} <= _GLUED]
+    found = [(_unlikely(word, known), known) for known in (*usual, *seldom)]
+    likely = [*apart, *((cost + _RARE * (known in seldom), known) for cost, known in found if cost < _WILD)]
     return tuple(sorted(likely, key=lambda x: (x[0], COMMON_WORDS.get(x[1], len(COMMON_WORDS))))[:_MOST])
 
 

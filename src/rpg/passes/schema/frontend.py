@@ -275,11 +275,14 @@ class BuiltinFrontEnd:
         author: str | None,
     ) -> Reading | None:  # fmt: skip
         """The reading of a text of which a word could be typed for several, if all that make sense come to one task."""
-        found: list[Reading] = []
-        for respelt, notes in ways_meant(text, tokens, why):
-            with suppress(Refusal):
-                found.append(self._as_meant(respelt, name, seed, author, notes))
-        return _one_task(found)
+        for ways in ways_meant(text, tokens, why):
+            found: list[Reading] = []
+            for respelt, notes in ways:
+                with suppress(Refusal):
+                    found.append(self._as_meant(respelt, name, seed, author, notes))
+            if any(task is not None for task, _ in found):
+                return _one_task(found)
+        return None
 
     def _again(self, text: str, name: str | None, seed: int, author: str | None) -> TaskSchema | None:
         """How a text that was made up here is read, if it is."""
@@ -345,8 +348,8 @@ _NOT_KNOWN = frozenset({"unknown-word", "misplaced"})
 _CANNOT_BOTH_BE = frozenset({"contradiction", "support-cycle", "self-reference"})
 """Why a text is refused of which the first part may be so at the start alone."""
 _PLAINER: tuple[Callable[[list[Token]], tuple[list[Token], list[str]]], ...] = (
-    with_lists, with_names, without_names, with_figures, with_color_classes, without_glosses, without_feelings, in_centimetres,
-    with_colors, with_kinds, without_materials, without_praise, as_a_story,
+    with_lists, with_names, without_names, with_figures, with_color_classes, without_glosses, without_feelings,
+    in_centimetres, with_colors, with_kinds, without_materials, without_praise, as_a_story,
     singled_out,
 )  # fmt: skip
 """What is put in plain words before the words are looked up, each with notes of what it meant."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import islice, product
 
@@ -16,45 +16,40 @@ _MOST = 6
 """So many ways to mean a text are tried."""
 _MISSPELT = 3
 """A text with more words that mean nothing is none that was typed in a hurry."""
-
-
-def ways_meant(text: str, tokens: Sequence[Token], why: Sequence[Diagnostic]) -> Iterator[tuple[Respelt, list[str]]]:
-    """The text as it may be meant, the likeliest first, each with notes of how its words are read. `why`: what is told
-    of the text as it was typed."""
-    strange = [found.span for found in why if found.code == "unknown-word" and "word" in found.facts and found.span]
-    if strange and len(strange) == len(why) and len(strange) <= _MISSPELT:
-        found = _of_the_unknown(tokens, {*strange})
-    elif why[0].code in _OUT_OF_PLACE:
-        found = _of_the_mixed_up(tokens, why[0].span)
-    else:
-        return
-    for meant in islice(found, _MOST):
-        words, notes, _ = read_words(meant)
-        typed = {token.span: token.raw for token in tokens}
-        said = [f"read {typed[t.span]!r} as {t.raw!r}" for t, was in zip(meant, tokens, strict=True) if t is not was]
-        yield Respelt.of(text, words, tokens), [*said, *notes]
-
-
 _OUT_OF_PLACE = frozenset({"misplaced-word", "incomplete"})
+"""Why a text is refused of which a word may be mended wrongly, or be mixed up with another."""
 
 
-def _of_the_unknown(tokens: Sequence[Token], strange: set[Span]) -> Iterator[list[Token]]:
-    """The tokens with known words for the unknown ones."""
-    places = [n for n, token in enumerate(tokens) if token.span in strange]
-    choices = [meant_by(tokens[n].word) for n in places]
-    if len(places) < len(strange):
+def ways_meant(
+    text: str, tokens: Sequence[Token], why: Sequence[Diagnostic]
+) -> Iterator[Iterator[tuple[Respelt, list[str]]]]:
+    """The text as it may be meant, each with notes of how its words are read: with other words for those that mean
+    nothing, or that do not fit, and then for those that were mended as well. `why`: what is told of it as it stands."""
+    mended = read_words([*tokens])[0]
+    strange = {told.span for told in why if told.code == "unknown-word" and "word" in told.facts and told.span}
+    if not (strange and all(told.code == "unknown-word" for told in why)) and why[0].code not in _OUT_OF_PLACE:
         return
-    for chosen in sorted(product(*choices), key=lambda ways: sum(cost for cost, _ in ways)):
-        yield _said(tokens, {n: word for n, (_, word) in zip(places, chosen, strict=True)})
+    guessed = {span for span, _ in Respelt.of(text, mended, tokens).edits}
+    first = _with_others(tokens, strange) if strange else _mixed_up(tokens, why[0].span)
+    for ways in (first, _with_others(tokens, strange | guessed) if guessed else ()):
+        respelt = (
+            Respelt.of(text, (replace(t, raw=way.get(t.span, t.raw)) for t in mended), tokens)
+            for way in islice(ways, _MOST)
+        )
+        yield ((one, [f"read {text[slice(*span)]!r} as {word!r}" for span, word in one.edits]) for one in respelt)
 
 
-def _of_the_mixed_up(tokens: Sequence[Token], span: Span | None) -> Iterator[list[Token]]:
-    """The tokens with another word for the one that does not fit, or for one beside it."""
+def _with_others(tokens: Iterable[Token], strange: set[Span]) -> Iterator[Mapping[Span, str]]:
+    """For some of the words the ones that they could be typed for."""
+    words = {token.span: token.word for token in tokens if token.span in strange}
+    if len(words) == len(strange) and 0 < len(strange) <= _MISSPELT:
+        for chosen in sorted(product(*map(meant_by, words.values())), key=lambda ways: sum(cost for cost, _ in ways)):
+            yield dict(zip(words, (word for _, word in chosen), strict=True))
+
+
+def _mixed_up(tokens: Sequence[Token], span: Span | None) -> Iterator[Mapping[Span, str]]:
+    """Another word for the one that does not fit, or for one beside it."""
     at = next((n for n, token in enumerate(tokens) if span and token.span[1] > span[0]), None)
     for n in () if at is None else (at, at - 1, at + 1):
         if 0 <= n < len(tokens) and tokens[n].word in MIXED_UP:
-            yield _said(tokens, {n: MIXED_UP[tokens[n].word]})
-
-
-def _said(tokens: Sequence[Token], words: dict[int, str]) -> list[Token]:
-    return [replace(t, word=words[n], raw=words[n]) if n in words else t for n, t in enumerate(tokens)]
+            yield {tokens[n].span: MIXED_UP[tokens[n].word]}

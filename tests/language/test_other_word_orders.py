@@ -23,6 +23,10 @@ from tests.language.meaning import means
          "Place a yellow block and a green block on both sides of the red block."),
         ("A tower with height of three cubes, all in red.", "A tower of three red cubes."),
         ("The red block is necessary to put on the blue one.", "Put the red block on the blue one."),
+        ("Lay the blue stone between the two orange stones.", "Put the blue cube between the two orange cubes."),
+        ("tower of 4, letters only", "A tower of 4 letters."),
+        ("Rotate the cube labelled F by 90 degrees clockwise and leave it at its position.",
+         "Rotate the cube F by 90 degrees clockwise. Leave it where it is."),
         ("Put two cubes yellows on the blue mat.", "Put two yellow cubes on the blue mat."),
     ],
 )  # fmt: skip

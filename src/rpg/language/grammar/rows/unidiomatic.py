@@ -26,7 +26,7 @@ UNIDIOMATIC_AT_ONCE: tuple[Turn, ...] = (
     (f" , and ({THING}) , it (?=(?:{MUST}|is|goes|stands|lies|sits|belongs) )", " , and {1} "),
     ("\\beach one (?=(?:with|has|having) |(?:of|in) (?!the\\b|these\\b|them\\b))", "each "),
     (f"\\bthe ({COLOR}) (?=(?:are|have) (?:all )?to be )", "the {1} blocks "),
-    (f"\\b({CUBE})s ({COLOR})s\\b", "{2} {1}s"),
+    (f"\\b({CUBE}s) ({COLOR})s\\b", "{2} {1}"),
     # a figure and one part of it
     *((f"^(?:the|an?|one) ({LINE}) (?:{MUST} )?{_HAS} (?:exactly )?({MANY} (?:\\w+ )?{CUBE}s)(?: ,)? {part} "
        f"(?:{MUST} be|is) (.+)$", "a {1} of {2} , the {3} one {4}")

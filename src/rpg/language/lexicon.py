@@ -47,7 +47,7 @@ UNITS = {
 DEGREES = "degree degrees deg °"
 
 BLOCK_NOUNS = "block cube brick box"
-LOOSE_BLOCK_NOUNS = "object item piece thing part workpiece sample specimen element toy component module die"
+LOOSE_BLOCK_NOUNS = "object item piece stone thing part workpiece sample specimen element toy component module die"
 PATCH_NOUNS = (
     "patch target goal mat spot zone area pad marker mark carpet rug field sheet coaster "
     "placemat napkin cloth towel sticker dropzone dot destination paper strip tray marking"

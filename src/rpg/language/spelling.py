@@ -24,7 +24,7 @@ from rpg.language.who_acts import as_robot
 LONG_WORD = 7
 """From this length on, two slips are still taken for a misspelling."""
 _ROWS = ("qwertyuiop", "asdfghjkl", "zxcvbnm")
-_NEAR = {
+NEAR_KEYS = {
     key: "".join(
         other
         for r, around in enumerate(_ROWS)
@@ -56,7 +56,7 @@ SHORT_FORMS = {
     "alt": "alternating", "seq": "sequence", "rect": "rectangle", "tri": "triangle", "pyr": "pyramid",
     "num": "number", "nums": "numbers", "nbr": "number", "ltr": "letter", "ltrs": "letters", "ppl": "people",
     "cw": "clockwise", "asc": "ascending", "desc": "descending", "ccw": "counterclockwise",
-    "rn": "now", "outta": "from", "hight": "height", "pyramide": "pyramid",
+    "nd": "and", "rn": "now", "outta": "from", "hight": "height", "pyramide": "pyramid",
     "permute": "arrange",
     "vs": "and", "versus": "and",
 }  # fmt: skip
@@ -91,8 +91,8 @@ def vocabulary() -> frozenset[str]:
     return frozenset(w for w in words if (w.isalpha() and w.islower()) or w in lexicon.ORDINAL)
 
 
-_FIELDS = frozenset({"det", "ed", "est", "ing", "loc", "op", "rel", "xor"})
-"""Strings of the grammar that are names of fields, or endings."""
+_FIELDS = frozenset({"al", "det", "ed", "est", "ing", "loc", "nd", "op", "rel", "ther", "xor"})
+"""Strings of the grammar that are names of fields, or parts of words."""
 
 
 def _own(module: ModuleType) -> Iterator[object]:
@@ -187,7 +187,7 @@ def slip(word: str, meant: str) -> bool:
     if len(word) != len(meant) or len(word) >= LONG_WORD:
         return True
     wrong = [(a, b) for a, b in zip(word, meant, strict=True) if a != b]
-    return len(wrong) != 1 or wrong[0][1] in _NEAR.get(wrong[0][0], "")
+    return len(wrong) != 1 or wrong[0][1] in NEAR_KEYS.get(wrong[0][0], "")
 
 
 def _likeliest(word: str, close: list[str]) -> list[str]:

@@ -16,6 +16,7 @@ from rpg.language.called import without_names
 from rpg.language.chat import as_typed
 from rpg.language.clauses_apart import MOST, clauses_apart
 from rpg.language.clauses_left_out import clauses_left_out
+from rpg.language.code_lists import with_lists
 from rpg.language.color_classes import with_color_classes
 from rpg.language.feelings import without_feelings
 from rpg.language.figures_called import with_figures
@@ -52,6 +53,7 @@ from rpg.passes.schema.either_task import either_task
 from rpg.passes.schema.feasibility import Repairable, suggestions
 from rpg.passes.schema.guard import guard
 from rpg.passes.schema.hints import explained
+from rpg.passes.schema.misspelt import ways_meant
 from rpg.passes.schema.nothing_more import MOST as MOST_MORE
 from rpg.passes.schema.nothing_more import without_more
 from rpg.passes.schema.order_told import check_one_order, check_order
@@ -141,6 +143,9 @@ class BuiltinFrontEnd:
             found = self._shorter(_without_talk(told, plain), text, name, seed, author, mended) or found
         if found[0] is None and refusal is not None:
             found = self._shorter(_without_more(told), text, name, seed, author, mended) or found
+        if found[0] is None and mended is None and not chosen:
+            why = refusal.diagnostics if refusal is not None else found[1]
+            found = self._misspelt(text, told[0], why, name, seed, author) or found
         if found[0] is None and refusal is not None:
             raise refusal
         return found
@@ -167,11 +172,8 @@ class BuiltinFrontEnd:
         found: list[Reading] = []
         for parted in islice(clauses_apart(told[0]), MOST):
             with suppress(Refusal):
-                task, notes = self._read_tokens((parted, told[1]), text, name, seed, author, mended, again=False)
-                if task is not None:
-                    found.append((task, notes))
-        tasks = [task for task, _ in found if task is not None]
-        return found[0] if tasks and all(same(tasks[0], task) for task in tasks[1:]) else None
+                found.append(self._read_tokens((parted, told[1]), text, name, seed, author, mended, again=False))
+        return _one_task(found)
 
     def _shorter(
         self, ways: Iterator[_Shorter], text: str, name: str | None, seed: int, author: str | None,
@@ -268,12 +270,32 @@ class BuiltinFrontEnd:
             raise
         return task and respelt.task(task), respelt.diagnosed(found)
 
+    def _misspelt(
+        self, text: str, tokens: list[Token], why: tuple[Diagnostic, ...], name: str | None, seed: int,
+        author: str | None,
+    ) -> Reading | None:  # fmt: skip
+        """The reading of a text of which a word could be typed for several, if all that make sense come to one task."""
+        for ways in ways_meant(text, tokens, why):
+            found: list[Reading] = []
+            for respelt, notes in ways:
+                with suppress(Refusal):
+                    found.append(self._as_meant(respelt, name, seed, author, notes))
+            if any(task is not None for task, _ in found):
+                return _one_task(found)
+        return None
+
     def _again(self, text: str, name: str | None, seed: int, author: str | None) -> TaskSchema | None:
         """How a text that was made up here is read, if it is."""
         try:
             return self._read(text, name, seed, author)[0]
         except Refusal:
             return None
+
+
+def _one_task(found: list[Reading]) -> Reading | None:
+    """The first of the readings with a task, if all these come to one."""
+    read = [(task, notes) for task, notes in found if task is not None]
+    return read[0] if read and all(same(read[0][0], task) for task, _ in read[1:]) else None
 
 
 @contextmanager
@@ -326,8 +348,8 @@ _NOT_KNOWN = frozenset({"unknown-word", "misplaced"})
 _CANNOT_BOTH_BE = frozenset({"contradiction", "support-cycle", "self-reference"})
 """Why a text is refused of which the first part may be so at the start alone."""
 _PLAINER: tuple[Callable[[list[Token]], tuple[list[Token], list[str]]], ...] = (
-    with_names, without_names, with_figures, with_color_classes, without_glosses, without_feelings, in_centimetres,
-    with_colors, with_kinds, without_materials, without_praise, as_a_story,
+    with_lists, with_names, without_names, with_figures, with_color_classes, without_glosses, without_feelings,
+    in_centimetres, with_colors, with_kinds, without_materials, without_praise, as_a_story,
     singled_out,
 )  # fmt: skip
 """What is put in plain words before the words are looked up, each with notes of what it meant."""

@@ -14,6 +14,7 @@ _BARRED = "(?:not (?:allowed|permitted|ok|okay)|forbidden|prohibited|disallowed|
 _DOES = "(?:put|place|stack|set|lay|build|make|move|take|arrange|form|bring)"
 _SHOWING = "(?:with|(?:that|which) (?:show|bear|carry|have)|showing|bearing|carrying)"
 _HAS = "(?:contains?|comprises?|have|has|consists? of)"
+_STAY = "(?:leave|keep)"
 _SORT = "(vowels|consonants|letters|digits|numbers|numerals)"
 
 UNIDIOMATIC_AT_ONCE: tuple[Turn, ...] = (
@@ -25,6 +26,7 @@ UNIDIOMATIC_AT_ONCE: tuple[Turn, ...] = (
     (f" , and ({THING}) , it (?=(?:{MUST}|is|goes|stands|lies|sits|belongs) )", " , and {1} "),
     ("\\beach one (?=(?:with|has|having) |(?:of|in) (?!the\\b|these\\b|them\\b))", "each "),
     (f"\\bthe ({COLOR}) (?=(?:are|have) (?:all )?to be )", "the {1} blocks "),
+    (f"\\b({CUBE}s) ({COLOR})s\\b", "{2} {1}"),
     # a figure and one part of it
     *((f"^(?:the|an?|one) ({LINE}) (?:{MUST} )?{_HAS} (?:exactly )?({MANY} (?:\\w+ )?{CUBE}s)(?: ,)? {part} "
        f"(?:{MUST} be|is) (.+)$", "a {1} of {2} , the {3} one {4}")
@@ -65,11 +67,29 @@ UNIDIOMATIC: tuple[Turn, ...] = (
      f"(touching|{PLACE}) (.+)$", "{1} must not be {2} {3}"),
     # where it is
     (f"\\b(right|left) from (?={THING})", "{1} of "),
+    (f"\\b({_STAY} it|{_STAY} {THING}) (?:at|in|on) its (?:original |old |current |present )?"
+     "(?:position|spot|location)\\b", "{1} in its place"),
+    ("\\bleave (it|them|that|this) be\\b(?=$| ,| and| \\.)", "leave {1} where it is"),
+    ("\\bin the table\\b(?! 's)", "on the table"),
+    ("\\bin top of ", "on top of "),
+    (f"\\bin the (left|right) of (?={THING})(?!the table|it)", "to the {1} of "),
+    ("\\bone (?:on|upon) (?:the )?other\\b", "one on top of the other"),
+    (f"\\b(?:on|at|to) (?:the (?:two|both)|both the) sides of (?={THING})", "on both sides of "),
+    # which and how many they are
+    (f"^((?:an? )?{LINE} of {MANY}) , (letters|digits|numbers|vowels|consonants) only$", "{1} {2}"),
+    (f"\\ball of (?={CUBE}s\\b)", "all of the "),
+    (f"^there is (?=(?!one\\b|1\\b){MANY} {COLOR}\\b)", "there are "),
+    (f"^({MUST}) be (?=(?:an?|one) )", "there {1} be "),
+    (f"\\b(with|have|has) (?:the )?height of (?={MANY} {CUBE}s)", "{1} a height of "),
+    (f"\\b(with|have|has) ({MANY} {CUBE}s) of height\\b", "{1} a height of {2}"),
+    ("\\bwith (?:the |their )?colors (?:alternated|alternatingly|interchanging)\\b", "with alternating colors"),
+    (f"^({_DOES}) with them (?:only |just )?(?=(?:an?|one) {LINE})", "{1} from them "),
+    (f"^({THING}) is necessary to ({_DOES}) ", "{2} {1} "),
 )  # fmt: skip
 """What is looked for, and what is said instead."""
 WORDS = (
     "viewer observer onlooker spectator regarding concerning regards banned disallowed prohibited "
     "correspondingly imaginary valid interchanged mounting climbing growing falling sinking "
-    "shrinking rising",
+    "shrinking rising alternated alternatingly interchanging",
 )
 """Words that these take besides those that are read anyway."""

@@ -8,7 +8,7 @@ from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, MUST
 
 _LET = "^(?:let |have |make )?"
-_BRIDGE = "(?:bridge|arch|archway|gate|gateway)"
+_BRIDGE = "(?:bridge|arch|archway)"
 _MAKE = "(?:build |make |form |construct )?"
 _OF = "(?:of|from|with|using|out of|made of|made from|built of|built from)"
 _ACROSS = "(?:bridg(?:es?|ing)|spans?|straddles?)"
@@ -28,5 +28,5 @@ BRIDGES: tuple[Turn, ...] = (
     (f"^{_PAIR}(?: ,| {MUST} be| are)? (?:bridged|spanned) by ({THING})$", "put {2} across {1}"),
 )  # fmt: skip
 """What makes no sense as it stands."""
-WORDS = ("bridge bridges bridged spans spanned straddle straddles arch archway gate gateway",)
+WORDS = ("bridge bridges bridged spans spanned straddle straddles arch archway",)
 """Words that these take."""

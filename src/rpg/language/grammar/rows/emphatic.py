@@ -9,6 +9,8 @@ from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, MANY, MUST
 
 _STOP = r"(?= (?:,|and|\.|;)|$)"
 _LIES = f"(?:{MUST} (?:be|lie|sit|stand|rest)|may be|can be|is|sits|lies|stands|rests)"
+_BESIDE = "of|behind|between|on|beside|near|to|above|over"
+_BUILT = "tower|stack|row|column|line|pyramid"
 _READER = "(?:one|you|we|i|people|everyone|everybody)"
 _PART = "corner|middle|center|central|end|top|bottom|lowest|highest|topmost|leftmost|rightmost|uppermost"
 _FIGURE = "(?:[ltuv]|plus|plus sign|cross|pyramid|staircase|wall|grid|figure|shape|letter)"
@@ -21,6 +23,9 @@ EMPHATIC_AT_ONCE: tuple[Turn, ...] = (
     # what is flat is no pile
     ("\\bsandwiched between (?=.*\\b(?:in (?:a|one) (?:row|line)|side by side|on the table)\\b)", "between "),
     ("\\bbelong in (?=(?:a|one) (?:stack|tower|pile|row|line)\\b)", "go in "),
+    # the first of two structures is none the less one
+    (f"\\b({_BESIDE}) (an?) ({COLOR}) and (an?) ({COLOR}) ({_BUILT})\\b(?! (?:of|with|that|which))",
+     "{1} {2} {3} {6} and {4} {5} {6}"),
     # what is read
     (f"^{_READER} (?:can|could|must be able to|should be able to) read (.+?) on (?:the )?(?:{CUBE}s|them)", "make {1}"),
     ("^((?:swap|exchange|switch|rearrange|arrange|move|order|stack|lay) .+?) so (?:that )?it (?:says|reads|spells)\\b",

@@ -104,9 +104,8 @@ def moved_within(theme: Ref, at_: At, scene: Scene, span: Span) -> Atoms | None:
     if index is None or not -1 <= index <= len(rest):
         return None
     others = [scene.things[n] for n in rest]
-    if scene.things[theme.names[0]].claims and any(
-        (t.color, t.label) == (None, None) for t in others
-    ):  # of blocks of no told look, one is said to look so only here
+    one_more = scene.things[theme.names[0]].claims and any((t.color, t.label) == (None, None) for t in others)
+    if theme.det == "a" or one_more:  # of blocks of no told look, one is said to look so only here
         raise refuse("ambiguous", f"this could be a block of the {built.kind} or a further one", theme.span,
                      "say what the blocks look like that are there at the start")  # fmt: skip
     index = len(rest) if index < 0 else index

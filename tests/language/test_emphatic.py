@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from rpg.blocks.english import describe
+from rpg.passes.schema.frontend import BuiltinFrontEnd
 from tests.language.meaning import code_of, means
 
 
@@ -23,6 +25,14 @@ from tests.language.meaning import code_of, means
         ("Put a red block on each side of the word CAT.", "Put a red block on both sides of the word CAT."),
         ("The robot starts with a tower of A and B. Put A on the patch.",
          "At the start there is a tower of A and B. Put A on the patch."),
+        ("Put a red block on each of the two towers of two blue blocks.",
+         "Build two towers of two blue blocks and put a red block on each."),
+        ("Given the row X Y Z: reverse it.", "At the start there is a row of X, Y, Z. Reverse it."),
+        ("Put the one with the 3 on the one with A.", "Put the block 3 on the block A."),
+        ("A, B and C are stacked and stand on the patch.", "A, B and C are stacked on the patch."),
+        ("A and C carry a red and a blue block respectively.", "Put a red and a blue block on A and C respectively."),
+        ("The initial tower is A, B, C from the bottom; reverse it.",
+         "At the start the tower is A, B, C from the bottom; reverse it."),
         ("Put the 3 in between the 7 and the 8.", "Put the block 3 between the block 7 and the block 8."),
     ],
 )  # fmt: skip
@@ -43,6 +53,23 @@ def test_lengths_are_still_in_inches() -> None:
 
 def test_a_part_of_one_of_two_figures_is_asked_for() -> None:
     assert code_of("Make an L of 5 yellow blocks and a plus of five red ones, and put A on the corner of the L.")
+
+
+def test_a_block_put_on_a_tower_of_look_alikes() -> None:
+    assert code_of("There is a tower of two red blocks. Put a block on top of it.")
+    found = means("There is a tower of two blue blocks. Put the red block on its top block.")
+    assert "The two blue blocks must be stacked." in found
+
+
+def test_the_lowest_layer_of_a_pyramid_is_as_wide_as_it_is_told() -> None:
+    told = "A brown pyramid that is three blocks wide at the bottom, two in the middle and one at the top."
+    assert "six brown blocks" in means(told)
+
+
+@pytest.mark.parametrize("beside", ["on top of", "to the left of", "between"])
+def test_both_of_two_towers_are_towers(beside: str) -> None:
+    task, _ = BuiltinFrontEnd().read(f"A red block is {beside} a blue and a green tower.")
+    assert task is None or "three blue blocks" in describe(task)
 
 
 def test_what_is_denied_is_not_insisted_on() -> None:

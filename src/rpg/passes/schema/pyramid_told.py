@@ -20,7 +20,8 @@ _IT = frozenset({"it", "them", "these", "those", "that", "this"})
 
 def check_pyramid(words: Sequence[Token], task: TaskSchema) -> None:
     """Refuse "a pyramid with a base of three and two on top" as one of six blocks: its tip is one block. So is "with
-    three at the bottom and one on top of them": on them are two; and "a pyramid of three blocks and one on top of it". "Three blocks wide at the bottom" is none of three blocks.
+    three at the bottom and one on top of them": on them are two; and "a pyramid of three blocks and one on top of it".
+    "Three blocks wide at the bottom" is none of three blocks.
     """
     pyramids = [_layers(*x.base) for x in atoms(task.goal) if isinstance(x, Pyramid)]
     below = 0

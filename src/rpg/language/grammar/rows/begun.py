@@ -97,6 +97,10 @@ BEGUN_AT_ONCE: tuple[Turn, ...] = (
      f"(?=(?:an?|two|three) (?:\\w+ )?{_SHAPE}s?\\b)", "at the start there is "),
     (f"\\b(?:(?:at|on|upon) reset|when (?:the|this|an|each|every) {EVENT} (?:starts|begins)|when (?:we|you) "
      "(?:start|begin)(?= [,:]|$))\\b", "at the start"),
+    (f"^the (?:initial|starting|original) ({LINE}) (is|has|stands|reads) ", "at the start the {1} {2} "),
+    (f"^in the (?:final|resulting|finished) {LINE}(?: ,)? (?=(?:the )?{COLOR}\\b)", "at the end "),
+    (f"^(?:and |but )?when (?:it|the {EVENT}) (?:ends|is over)(?: ,)? (?=(?:the|an?|all|both|{MANY}|{COLOR})\\b)",
+     "at the end , "),
     (f"^everything {STARTS} ", "all blocks start "),
     (f"^({TIME})(?: ,)? everything {LIES} ", "{1} all blocks are "),
     (f"^everything {LIES} ([^,]+? {TIME})$", "all blocks are {1}"),

@@ -20,6 +20,8 @@ EMPHATIC_AT_ONCE: tuple[Turn, ...] = (
      "no block must be on another block"),
     ("\\b(carry|carries|support|supports|bear|bears) (.+?)(?: ,)? respectively$", "{1} {2}"),
     ("\\b(in (?:a|one) (?:single )?(?:row|line)) , one (?:next to|beside|after) (?:the|an) ?other(?: one)?$", "{1}"),
+    ("\\bevery two of (?=(?:them|these|those|the)\\b)", "any two of "),
+    ("\\balways (?=with (?:the same|equal|an equal)\\b)", ""),
     # what is flat is no pile
     ("\\bsandwiched between (?=.*\\b(?:in (?:a|one) (?:row|line)|side by side|on the table)\\b)", "between "),
     ("\\bbelong in (?=(?:a|one) (?:stack|tower|pile|row|line)\\b)", "go in "),

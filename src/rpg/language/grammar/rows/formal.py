@@ -68,6 +68,7 @@ from rpg.language.grammar.rows.not_consecutive import not_consecutive
 from rpg.language.grammar.rows.not_falling import not_falling
 from rpg.language.grammar.rows.noted_down import NOTED_DOWN
 from rpg.language.grammar.rows.of_each_color import of_each_color
+from rpg.language.grammar.rows.of_structures import OF_STRUCTURES, OF_STRUCTURES_AT_ONCE
 from rpg.language.grammar.rows.on_several import ON_SEVERAL, ON_SEVERAL_AT_ONCE
 from rpg.language.grammar.rows.one_color_each import ONE_COLOR_EACH
 from rpg.language.grammar.rows.one_more import one_more
@@ -131,6 +132,7 @@ _OF_ALL = (
     *NOTED_DOWN,
     *UNIDIOMATIC_AT_ONCE,
     *EMPHATIC_AT_ONCE,
+    *OF_STRUCTURES_AT_ONCE,
     *IN_WRITING,
     *IN_CONVERSATION,
     *CONTRASTS,
@@ -270,6 +272,7 @@ _OF_THE_UNREAD = (
     *TURNED_ROUND,
     *UNIDIOMATIC,
     *EMPHATIC,
+    *OF_STRUCTURES,
     *DESTINATIONS,
 )
 """The rows of a sentence that cannot be read as it stands."""

@@ -1,0 +1,28 @@
+"""What is said of a structure that is named in the same breath: "a red block on each of the three towers of two blue
+ones", "given the row A B C: reverse it", as rows that tell it first."""
+
+from __future__ import annotations
+
+from rpg.language.grammar.rows.said_short import LABEL
+from rpg.language.grammar.rows.turned import Turn
+from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, LINE, MANY
+
+_PUT = "(?:put|place|set|lay|stack)"
+_SHOWS = "(?:with|showing|bearing|marked|labelled|labeled)"
+
+OF_STRUCTURES_AT_ONCE: tuple[Turn, ...] = (
+    ("\\bstacked and (?:stand|stands|lie|lies|sit|sits|rest|rests) (?=on )", "stacked "),
+    (f"\\bthe one {_SHOWS} (?:the )?(?:digit |number |letter |label )?({LABEL})", "the block {1}"),
+)
+"""What is read otherwise, or not at all, as it stands."""
+OF_STRUCTURES: tuple[Turn, ...] = (
+    (f"^{_PUT} (an? {COLOR} \\w+) (?:on top of|on|onto) each of (?:the )?({MANY} (?:towers|stacks) .+)$",
+     "build {2} and put {1} on each"),
+    (f"^given (?:the|an?) ({LINE})(?: of)? ([^,:]+?) : (.+)$", "at the start there is a {1} of {2} . {3}"),
+    (f"^(?:every|each) corner of the table (?:has|holds|contains|gets) (?:exactly |just )?(one|a) ({CUBE})(?: in it)?$",
+     "put one {2} in each corner of the table"),
+    ("^(?:and )?(?:the |its )?(?:base|foot) (?:goes|is|stands|sits|rests|belongs) on (.+)$", "the tower is on {1}"),
+)  # fmt: skip
+"""What is looked for in a sentence that cannot be read, and what is said instead."""
+WORDS = ("given base foot",)
+"""Words that these take besides those that are read anyway."""

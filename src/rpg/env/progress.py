@@ -15,8 +15,9 @@ class Stages:
         self.broken = False
         self._before: list[bool] | None = None
 
-    def advance(self, stages: Sequence[Verdict], settled: bool) -> None:
-        """Take the next state into account: the first one is the start of the episode."""
+    def advance(self, stages: Sequence[Verdict], settled: bool, passed: Sequence[int] = ()) -> None:
+        """Take the next state into account: the first one is the start of the episode. `passed`: stages that may be met
+        early."""
         values = [stage.value for stage in stages]
         if not settled or self.broken:
             return
@@ -24,7 +25,7 @@ class Stages:
         while met < len(values) and values[met]:
             met += 1
         early = range(met + 1, len(values)) if self._before is not None else ()
-        self.broken = any(values[k] and not (self._before or [])[k] for k in early)
+        self.broken = any(values[k] and not (self._before or [])[k] for k in early if k not in passed)
         self.met = self.met if self.broken else met
         self._before = values
 
@@ -54,13 +55,14 @@ class Memory:
         self._sequence = self._always = 0
         self._settled = settled
 
-    def in_order(self, stages: Sequence[Verdict], undone: Sequence[int]) -> Verdict:
-        """All stages were met in turn, and hold but for those that are `undone`."""
+    def in_order(self, stages: Sequence[Verdict], undone: Sequence[int], passed: Sequence[int] = ()) -> Verdict:
+        """All stages were met in turn, and hold but for those that are `undone`; those `passed` on the way to the one
+        in front of them may be met before it as well."""
         if self._sequence == len(self.sequences):
             self.sequences.append(Stages())
         record = self.sequences[self._sequence]
         self._sequence += 1
-        record.advance(stages, self._settled)
+        record.advance(stages, self._settled, passed)
         if record.broken:
             return FALSE
         now = every(stage for k, stage in enumerate(stages) if k not in undone)

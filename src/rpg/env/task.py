@@ -116,11 +116,13 @@ class BlockTask(Relations, Structures, Setup):
             return cast(Verdict, counted(at_least, at_most, verdicts, len(self._namings)))
         return cast(Verdict, told.counted(at_least, at_most, verdicts))
 
-    def in_order(self, *stages: Verdict, undone: Sequence[int] = ()) -> Verdict:
-        """The stages were met one after the other; at the end all hold but those that a later one had to undo."""
+    def in_order(self, *stages: Verdict, undone: Sequence[int] = (), passed: Sequence[int] = ()) -> Verdict:
+        """The stages were met one after the other; at the end all hold but those that a later one had to undo.
+
+        `passed`: stages that are met on the way to the one in front of them, which is no fault."""
         if self._asked is Asked.TOLD:
             return cast(Verdict, told.in_order(stages, undone))
-        return self._remembered().in_order(stages, undone)
+        return self._remembered().in_order(stages, undone, passed)
 
     def always(self, condition: Verdict) -> Verdict:
         """The condition holds now and held at every step before."""

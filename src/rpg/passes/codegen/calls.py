@@ -9,6 +9,7 @@ from pydantic import BaseModel
 
 from rpg.ir import goal as g
 from rpg.ir.node import Highest, Lowest, Node
+from rpg.ir.stages import passed
 from rpg.ir.walk import NAME_FIELDS
 from rpg.passes.codegen.layout import Each, Expr, Group, Infix, Labelled, quoted
 
@@ -105,7 +106,7 @@ def inline(goal: g.Goal, bound: frozenset[str]) -> Expr:
             return count(goal, bound)
         case g.Sequence():
             stages = tuple(inline(stage.goal, bound) for stage in goal.stages)
-            return Group("self.in_order", (*stages, *undone(goal)))
+            return Group("self.in_order", (*stages, *marks(goal)))
         case _:
             return Group(f"self.{goal.kind}", arguments(goal, bound, positional=True))
 
@@ -122,7 +123,10 @@ def count(goal: g.Count, bound: frozenset[str]) -> Expr:
     return Group("self.count", (each, *limits))
 
 
-def undone(goal: g.Sequence) -> tuple[Expr, ...]:
-    """The keyword that lists which stages a later one undoes; nothing where none is."""
-    marks = tuple(str(index) for index, stage in enumerate(goal.stages) if stage.undone)
-    return (Labelled("undone=", Group("", marks)),) if marks else ()
+def marks(goal: g.Sequence) -> tuple[Expr, ...]:
+    """The keywords that list which stages a later one undoes, and which are met on the way to another; nothing where
+    there are none."""
+    undone = tuple(str(index) for index, stage in enumerate(goal.stages) if stage.undone)
+    on_the_way = tuple(map(str, passed(goal)))
+    named = (("undone=", undone), ("passed=", on_the_way))
+    return tuple(Labelled(keyword, Group("", listed)) for keyword, listed in named if listed)

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 from rpg.ir import goal as g
 from rpg.ir.walk import children, transform, without_span
-from rpg.passes.codegen.calls import inline, undone
+from rpg.passes.codegen.calls import inline, marks
 from rpg.passes.codegen.layout import Expr, Group, Infix, Labelled
 from rpg.passes.codegen.naming import boolean_name, unique
 
@@ -39,7 +39,7 @@ class Success:
                 return self._bind(goal, Group("self.always", (self._expr(goal.goal),)))
             case g.Sequence():
                 stages = tuple(self._stage(stage.goal) for stage in goal.stages)
-                return self._bind(goal, Group("self.in_order", (*stages, *undone(goal))))
+                return self._bind(goal, Group("self.in_order", (*stages, *marks(goal))))
             case _:
                 return self._bind(goal, inline(goal, NONE))
 

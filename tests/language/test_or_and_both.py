@@ -111,3 +111,16 @@ def test_neither_is_one_of_two_blocks() -> None:
     assert "must not touch the A block. The C block must not touch the B block" in means(
         "A touches B. C touches neither."
     )
+
+
+@pytest.mark.parametrize(
+    ("text", "sides"),
+    [
+        ("Either A is on the patch, or B is not and C is on A.",
+         "Either the A block must be on the gray patch, or the B block must not be on the gray patch and the C block"),
+        ("Either A is on the patch and C is on A, or B is.",
+         "Either the A block must be on the gray patch and the C block must be on the A block, or the B block"),
+    ],
+)  # fmt: skip
+def test_what_and_joins_is_one_side_of_either(text: str, sides: str) -> None:
+    assert sides in means(text)

@@ -12,6 +12,7 @@ from rpg.language.grammar.clauses.clauses import clause
 from rpg.language.grammar.clauses.dealt import counted_ahead
 from rpg.language.grammar.clauses.denials import denies_places, nor_does, nor_there, of_none
 from rpg.language.grammar.clauses.done_there import afterthought, done_there
+from rpg.language.grammar.clauses.either_side import alternatives, two_sides
 from rpg.language.grammar.clauses.links import all_in_one, emphasised, last_of_the_order, linked, told_again, told_of_it
 from rpg.language.grammar.clauses.moves import of_the_same
 from rpg.language.grammar.clauses.or_cut import cut_by_or
@@ -88,31 +89,16 @@ def chain(p: Parser, i: int) -> Results[Chain]:
             told = map(none_of_the_others, main.clauses) if begun.lemma == "stock" else main.clauses
             yield Chain(clauses=(begun, *told), links=("and", *main.links), span=p.span(i, end)), end
     if j := p.one(i, "either"):
-        if joined := list(_alternatives(p, j, ())):
+        if joined := list(alternatives(p, j)):
             yield from joined
             return
-        placed = ((x, k, getattr(x.clauses[-1], "adjuncts", ())) for x, k in chain(p, j))
+        placed = ((two_sides(p, j, x, k), k, getattr(x.clauses[-1], "adjuncts", ())) for x, k in chain(p, j))
         yield from ((x, k) for x, k, at in placed if "or" in (*x.links, *(getattr(one, "op", "") for one in at)))
     for first, j in clause(p, i):
         yield Chain(clauses=(first,), links=("and",), span=p.span(i, j)), j
         for alike, k in color_at_last(p, j, first) if isinstance(first, Clause) else ():
             yield Chain(clauses=(first, alike), links=("and", "and"), span=p.span(i, k)), k
         yield from _more(p, i, (first,), ("and",), j)
-
-
-def _alternatives(p: Parser, i: int, had: tuple[Chain, ...]) -> Results[Chain]:
-    """ "either A and B, or C and D": the clauses of each side belong together."""
-    for part, j in chain(p, i):
-        if set(part.links) != {"and"} or any(p.words[at : at + 2] == [",", "and"] for at in range(i, j)):
-            continue
-        if "," in p.words[i:j] and "and" not in p.words[i:j]:
-            continue  # "either A, B, or C": one of three
-        found = (*had, part)
-        if k := p.seq(j, ", or"):
-            yield from _alternatives(p, k, found)
-        if len(found) > 1:
-            links = ("and", *("or" for _ in had))
-            yield Chain(clauses=found, links=links, span=p.span(i, j)), j
 
 
 def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], at: int) -> Results[Chain]:

@@ -34,7 +34,8 @@ def two_sides(p: Parser, i: int, flat: Chain, j: int) -> Chain:
     stay as they are."""
     words, at = p.words[i:j], flat.links.index("or") if flat.links.count("or") == 1 else 0
     pairs = [words[n : n + 2] for n in range(len(words))]
-    if not at or {*flat.links} != {"and", "or"} or [",", "or"] not in pairs or [",", "and"] in pairs:
+    listed = "and" not in words or [",", "and"] in pairs  # "either A, B, or C": one of three
+    if not at or {*flat.links} != {"and", "or"} or [",", "or"] not in pairs or listed:
         return flat
     sides = (flat.clauses[:at], flat.clauses[at:])
     if max(map(len, sides)) == 1:

@@ -11,7 +11,7 @@ from rpg.language.meaning import At
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.goals.logic import Atoms
 from rpg.passes.schema.resolve.orders.turned_over import comes_of_reversing
-from rpg.passes.schema.resolve.things.operands import UPRIGHT, crown
+from rpg.passes.schema.resolve.things.operands import UPRIGHT, crown, on_any
 from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, refuse
 
 FIRST = {"stack": "bottom", "row": "left", "line": "left", "column": "front"}
@@ -105,11 +105,12 @@ def moved_within(theme: Ref, at_: At, scene: Scene, span: Span) -> Atoms | None:
         return None
     others = [scene.things[n] for n in rest]
     one_more = scene.things[theme.names[0]].claims and any((t.color, t.label) == (None, None) for t in others)
-    if theme.det == "a" or one_more:  # of blocks of no told look, one is said to look so only here
+    index = len(rest) if index < 0 else index
+    there = (*rest[:index], *theme.names, *rest[index:]) == built.members
+    if (theme.det == "a" and not there) or one_more:  # of blocks of no told look, one is said to look so only here
         raise refuse("ambiguous", f"this could be a block of the {built.kind} or a further one", theme.span,
                      "say what the blocks look like that are there at the start")  # fmt: skip
-    index = len(rest) if index < 0 else index
-    if (*rest[:index], *theme.names, *rest[index:]) == built.members:
+    if there:
         raise refuse("no-goal", "it is there at the start", at_.span, "say where else it should be")
     return [_again(built, (*rest[:index], *theme.names, *rest[index:]), scene, span)]
 
@@ -139,8 +140,10 @@ def topped(theme: Ref, at_: At, scene: Scene, span: Span) -> Atoms | None:
         if latest[-1].kind == "pyramid" and here:
             told = "this could be the top of the pyramid, or one more block on it"
             raise refuse("ambiguous", told, at_.span, "say which, in a sentence of its own")
-        base = crown(Ref(names=latest[-1].members, built=(latest[-1],)))
         scene.topped.append(latest[-1])
+        if latest[-1].kind == "wall":
+            return [on_any(theme.names, latest[-1].members, span)]
+        base = crown(Ref(names=latest[-1].members, built=(latest[-1],)))
     else:
         said = [m for m in scene.mentions if m.role == "theme" and m.clause < scene.clause and len(m.ref.names) == 1]
         if latest or scene.built or not said or said[-1].ref.patch or said[-1].ref.names == theme.names:

@@ -14,7 +14,7 @@ from rpg.ir.order import Order, Pattern
 from rpg.language.meaning import Loc, Noun, Pronoun, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.goals.logic import conj, disj
-from rpg.passes.schema.resolve.things.operands import check_one_on_many, crown, foot, spread
+from rpg.passes.schema.resolve.things.operands import check_one_on_many, crown, foot, on_any, spread
 from rpg.passes.schema.resolve.things.things import alike
 from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, refuse
 
@@ -77,6 +77,8 @@ def vertical(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goa
     if theme.built and len(theme.names) > 2 and len(mark.names) == 1 and theme.op == "and":
         raise refuse("ambiguous", f"a {theme.built[0].kind} has no room on one block", loc.span,
                      "say which block lies on it")  # fmt: skip
+    if _several_tops(mark):
+        return _on_a_wall(theme, mark, loc, span)
     mark = _as_a_tower(mark, scene)
     if (whichever := _so_many_on(theme, mark, loc, scene, span)) is not None:
         return whichever
@@ -176,6 +178,22 @@ def _several_on_one(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
         "ambiguous", "several blocks on one: a tower of them in the order named, or all side by side on it?", span,
         "say which block goes on which",
     )  # fmt: skip
+
+
+def _several_tops(mark: Ref) -> bool:
+    return len(mark.built) == 1 and mark.built[0].kind == "wall" and mark.quant is None
+
+
+def _on_a_wall(theme: Ref, mark: Ref, loc: Loc, span: Span) -> g.Goal:
+    """ "On top of the wall": on any of its blocks, of which several are on top.
+
+    Raises:
+        Refusal: "ambiguous", of several blocks, or where it is denied.
+    """
+    if len(theme.names) != 1 or theme.quant is not None or loc.negated:
+        raise refuse("ambiguous", "a wall has several blocks on top; it is not clear which are meant", loc.span,
+                     "say it of one block, or name those below")  # fmt: skip
+    return on_any(theme.names, mark.names, span)
 
 
 def _tower_on(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:

@@ -169,6 +169,11 @@ def crown(ref: Ref) -> Operand:
     return ref.names
 
 
+def on_any(names: tuple[str, ...], wall: tuple[str, ...], span: Span) -> g.Goal:
+    """On top of a wall is on any of its blocks: several of them are the highest."""
+    return g.Count(over=wall, at_least=1, goal=r.On(a=names, b=(EACH,), span=span), span=span)
+
+
 def base_of(name: str, scene: Scene) -> str:
     """The lowest block of the tower that `name` is in at the end."""
     seen = {name}

@@ -72,5 +72,16 @@ def test_both_of_two_towers_are_towers(beside: str) -> None:
     assert task is None or "three blue blocks" in describe(task)
 
 
+def test_exactly_so_many_are_there_whatever_is_said_of_them_behind() -> None:
+    found = means("Exactly three of the four yellow cubes are on the green patch, the other one does not touch them.")
+    assert "Yellow block 4 must not be on the green patch." in found
+    assert "Yellow block 4 must not touch yellow block 3." in found
+
+
+def test_a_wall_has_several_blocks_on_top() -> None:
+    told = "Build a wall of white blocks two high and three wide and put a black block on top of it."
+    assert "on at least one of the six white blocks" in means(told)
+
+
 def test_what_is_denied_is_not_insisted_on() -> None:
     assert "must not be on the gray patch" in means("Don't put A on the patch, but do put B there.")

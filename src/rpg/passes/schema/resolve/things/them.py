@@ -85,6 +85,8 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
 
 def all_of_it(ref: Ref, word: str = "both") -> Ref:
     """ "(Put A near B or C;) D must be near both": B and C, and not one of them, as "them" may be."""
+    if ref.op == "except":  # "exactly three of the four are there, the other one does not touch them"
+        return replace(ref, op="and", parts=())
     if ref.op in ("or", "xor") and word in _BOTH:
         return replace(ref, op="and", parts=())
     return replace(ref, op="and") if ref.op == "nor" else ref

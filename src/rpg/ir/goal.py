@@ -85,7 +85,8 @@ class Stage(Record):
 
 
 class Sequence(Node):
-    """The stages are met one after the other; a stage met before the one in front of it fails the episode."""
+    """The stages are met one after the other; a stage met before the one in front of it fails the episode, unless that
+    one cannot be met otherwise: a tower is built from its lower blocks, which are a tower before."""
 
     kind: Literal["sequence"] = "sequence"
     stages: tuple[Stage, ...]

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from itertools import pairwise
 
 from rpg.ir import goal as g
 from rpg.ir.relations import On, OnTable
 from rpg.ir.structures import Stack
+from rpg.ir.walk import conjuncts
 
 
 def passed(sequence: g.Sequence) -> tuple[int, ...]:
@@ -22,14 +22,8 @@ def passed(sequence: g.Sequence) -> tuple[int, ...]:
 
 def _on_the_way(goal: g.Goal, to: g.Goal) -> bool:
     """Whether a goal is a part of another one with what is not built yet on the table."""
-    built = [part for part in _required(goal) if not isinstance(part, OnTable)]
-    whole = [*_required(to)]
-    return bool(built) and all(any(_part(one, of) for of in whole) for one in built)
-
-
-def _required(goal: g.Goal) -> Iterator[g.Goal]:
-    for part in goal.goals if isinstance(goal, g.All) else (goal,):
-        yield from _required(part) if isinstance(part, g.All) else (part,)
+    built = [part for part in conjuncts(goal) if not isinstance(part, OnTable)]
+    return bool(built) and all(any(_part(one, of) for of in conjuncts(to)) for one in built)
 
 
 def _part(one: g.Goal, of: g.Goal) -> bool:

@@ -47,6 +47,11 @@ def children(goal: g.Goal) -> tuple[g.Goal, ...]:
     return inside(goal) if inside is not None else ()
 
 
+def conjuncts(goal: g.Goal) -> tuple[g.Goal, ...]:
+    """The parts of a conjunction; a goal that is none is its own only part."""
+    return tuple(part for each in goal.goals for part in conjuncts(each)) if isinstance(goal, g.All) else (goal,)
+
+
 def within(goal: g.Goal) -> Iterator[g.Goal]:
     """The goal and all goals inside it, connectives and atoms, in order of reading."""
     yield goal

@@ -9,10 +9,11 @@ from collections.abc import Callable, Sequence
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir import goal as g
 from rpg.ir.schema import COLORS_UNSAID, TaskSchema
+from rpg.ir.walk import conjuncts
 from rpg.steer.draft import Draft
 from rpg.steer.history import History
 from rpg.steer.proof.identity import look
-from rpg.steer.proof.shape import STRUCTURES, conjuncts, gives_up_places, structures
+from rpg.steer.proof.shape import STRUCTURES, gives_up_places, structures
 from rpg.steer.requests import requests as r
 from rpg.steer.requests.afresh import by_itself, of_all, of_them, one_more, only_a_number, only_named
 from rpg.steer.requests.known import names_look

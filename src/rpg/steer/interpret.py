@@ -14,6 +14,7 @@ from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir import goal as g
 from rpg.ir.edits import Edit, Overwrite, SetGoal, SetText, apply
 from rpg.ir.schema import TaskSchema
+from rpg.ir.walk import conjuncts
 from rpg.steer.carry import WEAK, carry_out
 from rpg.steer.doubts import (
     Reader,
@@ -30,7 +31,7 @@ from rpg.steer.history import History, Past
 from rpg.steer.naming import tidied
 from rpg.steer.proof.classify import Category
 from rpg.steer.proof.identity import look
-from rpg.steer.proof.shape import STRUCTURES, conjuncts, same_structure, structures
+from rpg.steer.proof.shape import STRUCTURES, same_structure, structures
 from rpg.steer.requests import requests as r
 from rpg.steer.requests.afresh import (
     Fresh,

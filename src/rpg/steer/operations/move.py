@@ -13,13 +13,14 @@ from rpg.ir.node import Lowest, members
 from rpg.ir.relations import Adjacent, Apart, Beside, Directional, Facing, InRegion, Near, OnPatch, Turned
 from rpg.ir.shrink import close, without
 from rpg.ir.structures import GroupBy
+from rpg.ir.walk import conjuncts
 from rpg.steer.draft import Draft
 from rpg.steer.operations.make import new_assets
 from rpg.steer.operations.order import put_in_order
 from rpg.steer.operations.place import put, stand_on, there
 from rpg.steer.operations.relate import relation
 from rpg.steer.operations.reshape import reshape
-from rpg.steer.proof.shape import conjuncts, structures
+from rpg.steer.proof.shape import structures
 from rpg.steer.refer import exists, resolve
 from rpg.steer.requests import requests as r
 from rpg.steer.requests.language import m

@@ -13,6 +13,7 @@ from rpg.ir.goal import All
 from rpg.ir.order import Order, Pattern
 from rpg.ir.relations import Between, Facing, Moved, Shifted, Stayed, Turned
 from rpg.ir.structures import Cells, GroupBy, Row, Spells, Stack, Staircase
+from rpg.ir.walk import conjuncts
 from rpg.ir.walk import names as names_in
 from rpg.steer.draft import Draft
 from rpg.steer.operations.kinds import convert
@@ -20,7 +21,6 @@ from rpg.steer.operations.lines import arranged
 from rpg.steer.operations.mirror import mirrored
 from rpg.steer.operations.sort import BY, color_pattern, ranks_by_class, sorted_members
 from rpg.steer.operations.steps import of_steps, turn_steps
-from rpg.steer.proof.shape import conjuncts
 from rpg.steer.refer import lines_of, resolve
 from rpg.steer.requests import requests as r
 from rpg.steer.requests.language import m

@@ -11,12 +11,13 @@ from rpg.ir.edits import ChangeCondition, SetGoal
 from rpg.ir.order import Order, Pattern
 from rpg.ir.relations import OnPatch
 from rpg.ir.structures import Equation, Figure, Grid, Pyramid, Row, Spells, Stack, Staircase, Towers
+from rpg.ir.walk import conjuncts
 from rpg.steer.draft import Draft
 from rpg.steer.operations.count import recount
 from rpg.steer.operations.guard import check_shape
 from rpg.steer.operations.kinds import listed
 from rpg.steer.operations.words import ALONG, plain, respell, run_along
-from rpg.steer.proof.shape import conjuncts, lasts
+from rpg.steer.proof.shape import lasts
 from rpg.steer.refer import resolve
 from rpg.steer.requests import requests as r
 from rpg.steer.requests.language import m

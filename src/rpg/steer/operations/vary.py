@@ -9,12 +9,11 @@ from rpg.ir.goal import Count
 from rpg.ir.node import EACH, members
 from rpg.ir.relations import Behind, Directional, InFrontOf, InRegion, LeftOf, OnPatch, OnTable, RightOf, Stayed
 from rpg.ir.structures import Row, Stack, Staircase
-from rpg.ir.walk import rename, transform
+from rpg.ir.walk import conjuncts, rename, transform
 from rpg.steer.draft import Draft
 from rpg.steer.operations.count import recount
 from rpg.steer.operations.exchange import exchange
 from rpg.steer.operations.make import named
-from rpg.steer.proof.shape import conjuncts
 from rpg.steer.refer import resolve
 from rpg.steer.requests import requests as r
 

@@ -12,10 +12,9 @@ from rpg.blocks.english import clause
 from rpg.blocks.evaluate import evaluate, rests, satisfied
 from rpg.blocks.state import BlockState
 from rpg.ir import goal as g
-from rpg.ir.walk import names, transform
+from rpg.ir.walk import conjuncts, names, transform
 from rpg.steer.proof.bank import RANDOM, Bank, Sample, Side
 from rpg.steer.proof.identity import Identity, look
-from rpg.steer.proof.shape import conjuncts
 
 Relation = Literal["equal", "implies", "implied by", "overlaps", "disjoint"]
 """How the new goal relates to the old one: "implies" is that every state that satisfies the new one satisfies both."""

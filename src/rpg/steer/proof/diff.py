@@ -10,9 +10,8 @@ from rpg.blocks.state import World
 from rpg.ir import goal as g
 from rpg.ir.base import Record
 from rpg.ir.schema import TaskSchema
-from rpg.ir.walk import rename, transform
+from rpg.ir.walk import conjuncts, rename, transform
 from rpg.steer.proof.identity import Identity, look
-from rpg.steer.proof.shape import conjuncts
 
 
 class AssetChange(Record):

@@ -9,17 +9,12 @@ from pydantic import BaseModel
 from rpg.ir import goal as g
 from rpg.ir.shrink import TooSmall, without
 from rpg.ir.structures import Row, Stack
-from rpg.ir.walk import atoms, names, rename, transform
+from rpg.ir.walk import atoms, conjuncts, names, rename, transform
 from rpg.steer.proof.identity import Identity, look
 
 STRUCTURES = frozenset(
     {"stack", "towers", "row", "grid", "pyramid", "staircase", "figure", "group_by", "spells", "equation"}
 )
-
-
-def conjuncts(goal: g.Goal) -> tuple[g.Goal, ...]:
-    """The parts of a conjunction; a goal that is none is its own only part."""
-    return tuple(part for each in goal.goals for part in conjuncts(each)) if isinstance(goal, g.All) else (goal,)
 
 
 _LASTING = frozenset({"on_patch", "in_region", "facing", "turned", "stayed", "empty"})

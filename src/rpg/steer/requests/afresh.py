@@ -19,11 +19,11 @@ from rpg.ir.edits import AddAsset, AddCondition, SetGoal, SetStart
 from rpg.ir.relations import Beside, Directional, Swapped
 from rpg.ir.schema import TaskSchema
 from rpg.ir.structures import GroupBy
+from rpg.ir.walk import conjuncts, rename, transform
 from rpg.ir.walk import names as mentions
-from rpg.ir.walk import rename, transform
 from rpg.steer.draft import Draft
 from rpg.steer.proof.identity import look
-from rpg.steer.proof.shape import conjuncts, same_structure
+from rpg.steer.proof.shape import same_structure
 from rpg.steer.refer import resolve
 from rpg.steer.requests.known import names_structure, only_known, only_new
 from rpg.steer.requests.language import m

@@ -11,8 +11,8 @@ from rpg.ir import goal as g
 from rpg.ir.relations import On, OnPatch
 from rpg.ir.schema import TaskSchema
 from rpg.ir.structures import Equation, Spells
+from rpg.ir.walk import conjuncts
 from rpg.steer.matching import matches
-from rpg.steer.proof.shape import conjuncts
 from rpg.steer.requests.language import Parser, longest, m, noun_phrase, tokenize
 from rpg.steer.view import BEGINS, ENDS, View
 

@@ -13,9 +13,8 @@ from rpg.ir import goal as g
 from rpg.ir.edits import SetGoal
 from rpg.ir.relations import Facing, Turned
 from rpg.ir.schema import TaskSchema
-from rpg.ir.walk import rename
+from rpg.ir.walk import conjuncts, rename
 from rpg.steer.draft import Draft
-from rpg.steer.proof.shape import conjuncts
 from rpg.steer.requests.afresh import by_itself, counterparts
 
 _TURNS = re.compile(r"\b(?:upright|upside|turn\w*|rotat\w*|way up|fac(?:e|es|ing)|head|flip\w*)\b", re.IGNORECASE)

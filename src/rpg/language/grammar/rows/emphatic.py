@@ -50,5 +50,3 @@ EMPHATIC: tuple[Turn, ...] = (
     ("\\b(?:in )?(?:a )?rainbow (?:fashion|style|manner)\\b", "in rainbow order"),
 )  # fmt: skip
 """What is looked for in a sentence that cannot be read, and what is said instead."""
-WORDS = ("fashion manner style alone kept",)
-"""Words that these take besides those that are read anyway."""

@@ -24,5 +24,3 @@ OF_STRUCTURES: tuple[Turn, ...] = (
     ("^(?:and )?(?:the |its )?(?:base|foot) (?:goes|is|stands|sits|rests|belongs) on (.+)$", "the tower is on {1}"),
 )  # fmt: skip
 """What is looked for in a sentence that cannot be read, and what is said instead."""
-WORDS = ("given base foot",)
-"""Words that these take besides those that are read anyway."""

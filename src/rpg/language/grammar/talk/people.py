@@ -10,7 +10,8 @@ PEOPLE = (
     "husband|grandmother|grandfather|grandma|grandpa|niece|nephew|brother|sister|sponsor|reviewer|reviewers|professor|"
     "audience|visitors|guests|public|viewers|family|mum|mummy|mommy|daddy|granny|grandad|granddad|grandson|"
     "granddaughter|uncle|aunt|auntie|cousin|flatmate|roommate|girlfriend|boyfriend|partner|buddy|mate|pal|manager|"
-    "supervisor|advisor|adviser|mentor|lecturer|tutor|examiner|foreman|coach|trainer|trainee|trainees|apprentice|intern|candidate|participant|participants|neighbor|doctor|"
+    "supervisor|advisor|adviser|mentor|lecturer|tutor|examiner|foreman|coach|trainer|trainee|trainees|"
+    "apprentice|intern|candidate|participant|participants|neighbor|doctor|"
     "nurse|chef"
 )
 """Whom an instruction may be for."""

@@ -74,7 +74,8 @@ _QUEST = (
 )
 _DONE = (
     "done|complete|completed|finished|over|successful|successfully|fulfilled|solved|reached|achieved|met|accomplished|"
-    "won|won_the_game|cleared|beaten|mastered|unlocked|passed|a_success|attained|obtained|succeeded|ready|satisfied|given|through|in_success"
+    "won|won_the_game|cleared|beaten|mastered|unlocked|passed|a_success|attained|"
+    "obtained|succeeded|ready|satisfied|given|through|in_success"
 )
 _WHEN = (
     "when|if|iff|once|as_soon_as|exactly_when|only_when|only_if|if_and_only_if|precisely_when|exactly_if|only_once|"
@@ -198,7 +199,7 @@ STATES = Patterns(
     "final|end|goal|target|desired? state|configuration|situation|arrangement|scene|result|layout|setup|outcome "
     "where|in_which|such_that|so_that|with|that_has|that_shows|:",
     f"success {_WHEN}",
-    f"the|our|my? goal|success|predicate|condition|goal_condition|success_condition|criterion "
+    "the|our|my? goal|success|predicate|condition|goal_condition|success_condition|criterion "
     f"holds|is_met|is_true|is_satisfied|is_fulfilled {_WHEN}",
     f"it|this|that counts only? {_WHEN}",
     f"it|this|that is|counts_as|will_be a? win|success|victory|pass {_WHEN}",

@@ -119,10 +119,15 @@ def one_by_one(goal: g.Goal, scene: Scene) -> g.Goal:
 
 
 def _look_alike(names: tuple[str, ...], scene: Scene) -> bool:
-    """Whether it is known of the blocks how they look, and that it is all the same."""
+    """Whether the blocks look all the same; those of which no look was said are then made to."""
     things = [scene.things[n] for n in names]
     looks = {(t.color, t.label, t.kind, t.size, t.edge) for t in things}
-    return len(looks) == 1 and bool(things[0].color or things[0].label)
+    told = bool(things[0].color or things[0].label)
+    if len(looks) > 1 or (not told and any(t.kind or t.scheme not in (None, "same") for t in things)):
+        return False
+    for thing in things if not told else ():
+        thing.scheme = "same"
+    return True
 
 
 def _of_the_start(names: tuple[str, ...], scene: Scene) -> bool:

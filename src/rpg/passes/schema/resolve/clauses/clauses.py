@@ -150,9 +150,7 @@ def _first_thats(theme: Meaning, spec: Spec, scene: Scene) -> None:
 def not_both(goals: Goals, span: Span) -> Goals:
     """ "either ... or ..., but not both"."""
     if len(goals) != 1 or not isinstance(goals[0], g.Any):
-        raise refuse(
-            "misplaced", "'but not both' needs two alternatives", span, "say 'either ... or ..., but not both'"
-        )
+        raise refuse("misplaced", "'but not both' needs two alternatives", span, "say 'either ... or ... but not both'")
     parts = goals[0].goals
     return [g.All(goals=(goals[0], g.Not(goal=g.All(goals=parts, span=span), span=span)), span=span)]
 

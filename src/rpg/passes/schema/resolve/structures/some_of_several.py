@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from itertools import combinations
 
 from rpg.core.diagnostics import Span
@@ -42,19 +43,18 @@ def of_so_many(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Atoms 
 
 def so_many(goals: Atoms, many: Amount, span: Span) -> g.Goal:
     """So many of the goals hold; those that do not are denied block by block, as of one thing that is not there."""
-    count = len(goals)
-    if many.high is None or many.high >= count:
-        ways = [(some, ()) for some in combinations(goals, many.low)]
-    elif many.low == 0:
-        ways = [((), some) for some in combinations(goals, count - many.high)]
+    count, everyone = len(goals), range(len(goals))
+    high = count if many.high is None else many.high
+    ways: list[tuple[Iterable[int], Iterable[int]]]
+    if many.low and high < count:
+        sizes = range(many.low, high + 1)
+        ways = [(some, {*everyone} - {*some}) for size in sizes for some in combinations(everyone, size)]
+    elif many.low:
+        ways = [(some, ()) for some in combinations(everyone, many.low)]
     else:
-        sizes = range(many.low, many.high + 1)
-        picked = [set(some) for size in sizes for some in combinations(range(count), size)]
-        ways = [
-            ([x for n, x in enumerate(goals) if n in some], [x for n, x in enumerate(goals) if n not in some])
-            for some in picked
-        ]
-    return disj([conj([*held, *negation([*left], span)], span) for held, left in ways], span)
+        ways = [((), some) for some in combinations(everyone, count - high)]
+    told = [([goals[n] for n in held], negation([goals[n] for n in left], span)) for held, left in ways]
+    return disj([conj([*held, *left], span) for held, left in told], span)
 
 
 def _many(noun: Noun, count: int) -> Amount:

@@ -1,4 +1,4 @@
-"""Patches of which neither look nor place is told: what is said of "one patch" and "the other" holds either way round."""
+"""Patches of which neither look nor place is told: "one patch" and "the other" are these either way round."""
 
 from __future__ import annotations
 
@@ -49,9 +49,12 @@ def _taking_turns(goal: g.Goal, way: Mapping[str, str], scene: Scene) -> dict[st
     turns: dict[str, str] = {}
     for patch, other in way.items():
         here, there = ([n for n in dict.fromkeys(on[x]) if not scene.things[n].patch] for x in (patch, other))
-        if len(here) == len(there) and all(alike([scene.things[n] for n in two]) for two in zip(here, there, strict=True)):
+        if len(here) == len(there) and all(
+            alike([scene.things[n] for n in two]) for two in zip(here, there, strict=True)
+        ):
             turns |= dict(zip(here, there, strict=True))
-    return turns if len(set(turns.values())) == len(turns) else {}
+    same = all(alike([scene.things[one], scene.things[other]]) for one, other in turns.items())
+    return turns if same and len(set(turns.values())) == len(turns) else {}
 
 
 def _said(goal: g.Goal) -> object:

@@ -80,6 +80,7 @@ from rpg.language.grammar.rows.others_counted import others_counted
 from rpg.language.grammar.rows.others_elsewhere import others_elsewhere
 from rpg.language.grammar.rows.own_color import OWN_COLOR, OWN_COLOR_ACROSS, OWN_COLOR_AT_ONCE
 from rpg.language.grammar.rows.palindromes import palindromes
+from rpg.language.grammar.rows.parts_of_each import parts_of_each
 from rpg.language.grammar.rows.patches_told import ONE_AND_THE_OTHER, PATCHES_AT_ONCE, PATCHES_UNREAD
 from rpg.language.grammar.rows.plain_talk import PLAIN_TALK, PLAIN_TALK_AT_ONCE
 from rpg.language.grammar.rows.put_otherwise import OTHERWISE, OTHERWISE_AT_ONCE
@@ -351,7 +352,8 @@ _CHANGES = (
     row_with_ends,
     other_end_named, rows_by_number, told_by_places, _steps_told, _one_of_each, of_each_color, corners_again,
     not_at_end, of_the_figure, word_again, range_but, not_consecutive, so_many_inside, so_many_on_each,
-    others_elsewhere, others_counted, word_of_letters, leave_to_move, listed_of_all, row_edited, not_falling,
+    others_elsewhere, parts_of_each, others_counted, word_of_letters, leave_to_move, listed_of_all, row_edited,
+    not_falling,
 )  # fmt: skip
 """What is told otherwise before the rows are looked for, in this order."""
 

@@ -55,5 +55,36 @@ def test_a_place_behind_one_of_them_is_its_own() -> None:
 
 def test_more_than_there_are_and_what_only_blocks_do() -> None:
     assert code_of(f"{_TWO} Three of the towers are on the patch.") == "count-mismatch"
-    assert code_of(f"{_TWO} Put A on one of the towers.") == "ambiguous"
+    assert code_of(f"{_TWO} Put A on one of the towers.") == "misplaced"
     assert code_of(f"{_TWO} Turn one of the towers upside down.") == "misplaced"
+
+
+def test_so_many_of_them_told_behind_in_short() -> None:
+    told = means("Two towers of three, one of the towers on the green patch.")
+    assert "red block 3 must be on the green patch, red block 4 must not be on the green patch" in told
+    told = means("Build two towers of two red blocks. At most one of the towers may be on the blue patch.")
+    assert "Either red block 1 must not be on the blue patch and red block 2 must not" in told
+
+
+@pytest.mark.parametrize(
+    "said", [", the shorter on the patch", ". The shorter is on the patch", ". The shorter one is on the patch"]
+)
+def test_the_shorter_is_that_tower(said: str) -> None:
+    told = means(f"Build a tower of three red blocks and a tower of two blue blocks{said}.")
+    assert "The two blue blocks must form a tower of exactly two on the gray patch." in told
+
+
+def test_which_of_them_is_the_taller() -> None:
+    told = means("Two towers of two and three blocks, the left one the taller.")
+    assert "tower of red block 1, red block 2 and red block 3 must be to the left of" in told
+    assert "must be between" in means("Three towers of two, three and four blocks, the middle one the tallest.")
+
+
+def test_identical_towers_of_no_look_are_not_made_up() -> None:
+    assert code_of("Build two identical towers of three.")
+    assert "six red blocks" in means("Build two identical towers of three red blocks.")
+
+
+def test_a_place_of_all_towers_is_not_that_of_the_last_one() -> None:
+    text = "Build a tower of red on blue and a tower of green on yellow. Both towers are on the blue patch."
+    assert code_of(text)

@@ -157,6 +157,10 @@ class _Said:
                 self._link(said, which, other)
             else:
                 self._put(said, which)
+        elif self.after == "tower" and self.of is not None:  # "the left one the taller"
+            if isinstance(which, int) or which[0] != "rank":
+                raise Unclear
+            self.told.facts.append(("rank", self.of, None, which[1]))
         self.of, self.before, self.last = which, self.last if self.last != which else self.before, which
 
     def _which(self, piece: Piece) -> Which:

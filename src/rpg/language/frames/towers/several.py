@@ -96,7 +96,10 @@ def told(pieces: Sequence[Piece]) -> str:
 
 
 def _no_scraps(pieces: Sequence[Piece]) -> None:
-    """Refuse a sentence that says nothing by itself: "On the left.", "Red ones." """
+    """Refuse a sentence that says nothing by itself, "On the left.", "Red ones.", and "identical" of what has no look."""
+    identical = any(piece.kind == "figure" and "identical" in piece.words for piece in pieces)
+    if identical and not {"lot", "tinted", "basis", "whole", "alone"} & {piece.kind for piece in pieces}:
+        raise Unclear
     stops = [-1, *(n for n, piece in enumerate(pieces) if piece.words in STOPS), len(pieces)]
     for begin, end in pairwise(stops):
         said = [piece for piece in pieces[begin + 1 : end] if piece.kind not in ("glue", "break")]

@@ -71,7 +71,7 @@ def _flat(goal: g.Goal) -> Iterator[g.Goal]:
 
 def forbids(goal: g.Goal) -> bool:
     """ "no two may touch", "at most one may be on the patch": what limits the end, so that "may" is no mere leave."""
-    if isinstance(goal, g.All):
+    if isinstance(goal, g.All | g.Any):
         return all(forbids(x) for x in goal.goals)
     if isinstance(goal, g.Count):  # "at least one but at most two may be there"
         return goal.at_least == 0 or (goal.at_most is not None and goal.at_least < goal.at_most)

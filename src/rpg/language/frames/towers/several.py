@@ -96,7 +96,7 @@ def told(pieces: Sequence[Piece]) -> str:
 
 
 def _no_scraps(pieces: Sequence[Piece]) -> None:
-    """Refuse a sentence that says nothing by itself, "On the left.", "Red ones.", and "identical" of what has no look."""
+    """Refuse a sentence that says nothing by itself, "On the left.", "Red ones.", and "identical" of no look."""
     identical = any(piece.kind == "figure" and "identical" in piece.words for piece in pieces)
     if identical and not {"lot", "tinted", "basis", "whole", "alone"} & {piece.kind for piece in pieces}:
         raise Unclear

@@ -53,9 +53,20 @@ def test_a_place_behind_one_of_them_is_its_own() -> None:
     assert "six red blocks must be on the gray patch" not in told
 
 
+def test_shares_of_them() -> None:
+    three = "Build three towers of two red blocks."
+    told = means(f"{three} All but one of the towers are on the patch.")
+    assert "red block 3 and red block 4 must be on the gray patch, red block 5 must not be on" in told
+    told = means(f"{three} Not all of the towers are on the patch.")
+    assert "Either red block 1 must not be on the gray patch and red block 2 must not be" in told
+    assert "must be on the gray patch" not in told
+    assert code_of(f"{three} Most of the towers are on the patch.") == "misplaced"
+
+
 def test_more_than_there_are_and_what_only_blocks_do() -> None:
     assert code_of(f"{_TWO} Three of the towers are on the patch.") == "count-mismatch"
     assert code_of(f"{_TWO} Put A on one of the towers.") == "misplaced"
+    assert code_of(f"{_TWO} One of the towers must not be on the patch.") == "misplaced"
     assert code_of(f"{_TWO} Turn one of the towers upside down.") == "misplaced"
 
 

@@ -14,6 +14,7 @@ from rpg.language.meaning import (
     Meaning,
     Noun,
     Pronoun,
+    Structure,
     Traits,
     replace,
 )
@@ -62,6 +63,8 @@ def _not_any(clause: Clause) -> Clause:
     single = isinstance(theme, Noun) and theme.det == "any" and theme.amount == Amount(1, 1)
     if not clause.negated or clause.verb not in ("be", "place") or not isinstance(theme, Noun) or not single:
         return clause
+    if isinstance(theme.part_of, Structure):
+        return clause  # "one of the towers is not there": of one of them alone
     return replace(clause, theme=replace(theme, det="no", amount=None), negated=False) if theme.part_of else clause
 
 

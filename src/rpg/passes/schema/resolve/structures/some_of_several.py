@@ -61,9 +61,19 @@ def _many(noun: Noun, count: int) -> Amount:
     """How many of them are meant.
 
     Raises:
-        Refusal: there are not so many of them.
+        Refusal: there are not so many of them, or it is a share that is no number.
     """
-    amount = Amount(0, 0) if noun.det == "no" else noun.amount or Amount(1, None)
+    told = noun.amount
+    if noun.det == "no":
+        amount = Amount(0, 0)
+    elif noun.det == "not all":
+        amount = Amount(0, count - 1)
+    elif noun.det == "all but" and told is not None:
+        amount = Amount(count - told.low, count - told.low)
+    elif noun.det in ("some", "any") and (told is not None or noun.det == "any"):
+        amount = told or Amount(1, None)
+    else:
+        raise refuse("misplaced", "it is not clear how many of them this is", noun.span, "say how many")
     pair = noun.det == "no" and noun.amount == Amount(2, 2, True)
     if count < 2 or amount.low > count or (pair and count != 2) or amount.high == -1:
         raise refuse("count-mismatch", f"so many are spoken of, but there are {count}", noun.span, "say of how many",
@@ -78,7 +88,7 @@ def _on_the_table(spot: Meaning) -> bool:
     if not isinstance(spot, Loc) or spot.negated or isinstance(spot.landmark, TableTop):
         return False
     on_patch = spot.rel in ("on", "in") and isinstance(spot.landmark, Noun) and spot.landmark.head == "patch"
-    return on_patch or spot.rel in _LEVEL
+    return on_patch or (spot.rel in _LEVEL and spot.low is None and spot.high is None)
 
 
 def _again(spot: Meaning) -> Meaning:

@@ -31,6 +31,12 @@ def test_the_bottom_and_the_middle_and_the_ends_of_rows() -> None:
     assert told.count("in a row from left to right in the order a red block, then two blue blocks") == 2
 
 
+def test_towers_side_by_side() -> None:
+    told = means("Two towers of three blocks, each with a green block on top, side by side.")
+    assert "There are two green blocks and four red blocks." in told
+    assert "The tower of green block 1, red block 1 and red block 2 must be next to the tower of green block 2" in told
+
+
 def test_one_and_the_other() -> None:
     told = means("Two towers of two; the bottom block of one is red, the bottom block of the other is blue.")
     assert "in the order red, green" in told

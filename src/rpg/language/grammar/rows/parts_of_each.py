@@ -33,6 +33,7 @@ _AND = "(?: ,| and| , and| :| ;| \\.)"
 _HAS = f"(?:with|having|has|have|gets?|contains?|{MUST} have|{MUST} contain)"
 _IS = f"(?:is|are|{MUST} be|being)"
 _END = "(?= ?[.!]| *$)"
+_BESIDE = f" , (?:side by side|next to each other|beside each other){_END}"
 
 
 def parts_of_each(tokens: list[Token]) -> list[Token]:
@@ -52,7 +53,8 @@ def _turns(kind: str, many: int) -> Turns:
     for place, called in (_FLAT if flat else _UPRIGHT).items():
         for look, here in _each(kind, many, place, called):
             one = f"{kind} of {{1}} blocks with a {{2}} block {here}"
-            rows.append((look, " . ".join([f"build a {one}", *[f"build another {one}"] * (many - 1)])))
+            told = " . ".join([f"build a {one}", *[f"build another {one}"] * (many - 1)])
+            rows += [(f"{look}{_BESIDE}", f"{told} . the {kind}s must be next to each other"), (f"{look}{_END}", told)]
         if many == len(_PAIR):
             rows += _two(kind, place, called)
     return Turns(rows)
@@ -74,18 +76,18 @@ def _each(kind: str, many: int, place: str, called: str) -> list[tuple[str, str]
     noun = called.split("|")[0]
     nouns = f"(?:{noun}|base|foot)" if place == "at the bottom" else noun
     told = [
-        f"{head}{stop} {all_} {_HAS} {look} (?:{there}){_END}",
-        f"{head}(?: ,)?(?: (?:each|both|all))? with {look} (?:{there})(?: of (?:each|both|each {kind}))?{_END}",
-        f"{head}{_AND} (?:the )?(?:{called}){_BLOCK}s? (?:of|in) {all_} {_IS} ({COLOR}){_END}",
-        f"{head}{_AND} (?:each|every) {kind} 's (?:{called}){_BLOCK} {_IS} ({COLOR}){_END}",
+        f"{head}{stop} {all_} {_HAS} {look} (?:{there})",
+        f"{head}(?: ,)?(?: (?:each|both|all))? with {look} (?:{there})(?: of (?:each|both|each {kind}))?",
+        f"{head}{_AND} (?:the )?(?:{called}){_BLOCK}s? (?:of|in) {all_} {_IS} ({COLOR})",
+        f"{head}{_AND} (?:each|every) {kind} 's (?:{called}){_BLOCK} {_IS} ({COLOR})",
     ]
     if ends:
-        told.append(f"{head}{_AND} {all_} {ends} (?:in|with|on|at) {look}{_END}")
+        told.append(f"{head}{_AND} {all_} {ends} (?:in|with|on|at) {look}")
     if not place.startswith("at the") or place == "at the bottom":
         told += [
-            f"{head}(?: ,)? (?:with|having) ({COLOR}) {nouns}s{_END}",
-            f"{head}(?:{_AND} {all_})? {_HAS} (?:an? |the )?({COLOR}) {nouns}{_END}",
-            f"{head}{_AND} (?:all|both|the|all the|both the) {noun}(?: blocks| cubes|s) {_IS} (?:all )?({COLOR}){_END}",
+            f"{head}(?: ,)? (?:with|having) ({COLOR}) {nouns}s",
+            f"{head}(?:{_AND} {all_})? {_HAS} (?:an? |the )?({COLOR}) {nouns}",
+            f"{head}{_AND} (?:all|both|the|all the|both the) {noun}(?: blocks| cubes|s) {_IS} (?:all )?({COLOR})",
         ]
     return [(pattern, place) for pattern in told]
 

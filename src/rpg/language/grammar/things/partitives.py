@@ -43,7 +43,7 @@ def partitive(p: Parser, i: int, j: int, found: Quantity) -> Results[Meaning]:
             for both, k in more(p, j, (whole,), end, None) if whole.det == "the" else ():
                 if counted_kinds(both, found.det):
                     yield replace(part, part_of=both, span=p.span(i, k)), k
-        elif isinstance(whole, Structure) and whole.det == "the" and whole.plural and found.det in _EVERY_ONE:
+        elif isinstance(whole, Structure) and _whole_of(whole) and found.det in _EVERY_ONE:
             yield replace(whole, det=found.det, amount=found.amount or whole.amount, span=p.span(i, end)), end
         elif _whole_of(whole):
             span = p.span(i, end)
@@ -51,9 +51,9 @@ def partitive(p: Parser, i: int, j: int, found: Quantity) -> Results[Meaning]:
 
 
 def _whole_of(whole: Meaning) -> bool:
-    """ "(Two of) these", "of the towers", and of what is listed."""
+    """ "(Two of) these", "of the towers", and of what is listed; "of the two towers of A and B" are new."""
     if isinstance(whole, Structure):
-        return whole.det == "the" and whole.plural
+        return whole.det == "the" and whole.plural and not (whole.members or whole.sizes)
     return isinstance(whole, Coord) or (isinstance(whole, Pronoun) and whole.word in _THESE)
 
 

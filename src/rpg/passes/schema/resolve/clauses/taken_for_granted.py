@@ -70,6 +70,10 @@ def taken_for_granted(links: list[str], chains: tuple[Chain, ...]) -> Told | Non
     """The sentences behind one that says that the tower is there, with what is assumed of it; None where no tower is
     taken for granted, or it is told what it is."""
     clauses = tuple(clause for chain in chains for clause in chain.clauses)
+    if both := _swapped_towers(clauses):
+        there_are = (Clause(verb="exist", mode="given", theme=replace(x, det="a"), span=x.span) for x in both)
+        begun = [Chain(clauses=(clause,), links=("and",), span=clause.span) for clause in there_are]
+        return ["and", "and", *links], (*begun, *chains), ("the two towers are there at the start",)
     if not all(isinstance(c, Clause) and c.mode == "command" and c.verb not in _BUILDING for c in clauses):
         return None
     changed = getattr(clauses[0], "verb", "") in ("reverse", "turn")
@@ -101,6 +105,19 @@ def taken_for_granted(links: list[str], chains: tuple[Chain, ...]) -> Told | Non
     return ["and", *links], (Chain(clauses=(given,), links=("and",), span=there.span), *rest), tuple(notes)
 
 
+def _swapped_towers(clauses: tuple[Meaning, ...]) -> tuple[Structure, ...]:
+    """ "Swap the tower of two red blocks and the tower of two blue ones": both of them."""
+    swap = clauses[0] if len(clauses) == 1 else None
+    items = (
+        swap.theme.items if isinstance(swap, Clause) and swap.verb == "swap" and isinstance(swap.theme, Coord) else ()
+    )
+    towers = tuple(x for x in items if isinstance(x, Structure) and x.kind == "stack" and x.det == "the")
+    looks = {x.members.traits.colors for x in towers if isinstance(x.members, Noun) and x.members.amount}
+    apart = len(towers) == len(looks) == len(items) and all(looks) and all(map(_plain, towers))
+    return towers if apart and len(towers) == _PAIR else ()
+
+
+_PAIR = 2
 _OTHERS = frozenset({"the rest", "the others", "the other", "the other ones", "others", "everything else"})
 
 

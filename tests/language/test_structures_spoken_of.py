@@ -65,3 +65,36 @@ def test_a_block_on_a_whole_pyramid() -> None:
 def test_one_block_of_a_tower_has_no_blocks() -> None:
     task, _ = BuiltinFrontEnd().read("The tower on the patch has a red block at the bottom.")
     assert task is None
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        (
+            "A tower of two red blocks in front of which stands a row of three blue blocks.",
+            "The three blue blocks must be in front of the tower of the two red blocks.",
+        ),
+        (
+            "A row of three red blocks, next to which stands a green block.",
+            "The green block must be next to the three red blocks.",
+        ),
+        (
+            "The top block of the tower of three red blocks must move next to the patch.",
+            "Red block 1 and red block 2 must form a tower of exactly two.",
+        ),
+    ],
+)
+def test_what_stands_by_them(text: str, told: str) -> None:
+    assert means(text).endswith(told)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Move the left block of the row of three red blocks onto the patch.",
+        "Move the bottom block of the tower of three red blocks next to the patch.",
+        "The bottom block of the tower of three red blocks moves next to the patch.",
+    ],
+)
+def test_what_is_moved_out_of_them_is_no_longer_in_them(text: str) -> None:
+    assert code_of(text) == "ambiguous"

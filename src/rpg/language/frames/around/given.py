@@ -83,13 +83,21 @@ def with_given(
 def existing(
     tokens: Sequence[Token], plainly: Callable[[Sequence[Token]], str | None]
 ) -> Iterator[tuple[str, Sequence[Token], Sequence[Token]]]:
-    """The same of "the existing tower of two red blocks", at the end of what is to be done."""
+    """The same of "the existing tower of two red blocks", "a tower of two red blocks that is already there", at the end
+    of what is to be done."""
+    tokens = tokens[:-1] if tokens and tokens[-1].word == "." else tokens
     words = coded(tokens)
+    text, places = joined(words)
+    ends = [n for n in range(3, len(words)) if _LAST.fullmatch(text, places[n] - 1)]
+    ends = [n for n in ends if not {"already", "that", "which"}.isdisjoint(words[n:])]
     for n in range(1, len(words) - 3):
-        known = words[n] in ("existing", "given", "current") and words[n - 1] == "the"
-        figure = [*tokens[n + 1 :], tokens[n].saying(".")]
-        if known and (said := plainly(figure)) and (told := at_start(said)):
-            yield told, tokens[: n + 1], [*tokens[:n], *tokens[n + 1 :]]
+        if words[n - 1] not in ("the", "a", "an"):
+            continue
+        known = words[n] in ("existing", "given", "current")
+        first, end = (n + 1, len(words)) if known else (n, ends[0] if words[n] in lexicon.STRUCTURE and ends else 0)
+        figure = [*tokens[first:end], tokens[n].saying(".")]
+        if end > first and (said := plainly(figure)) and (told := at_start(said)):
+            yield told, tokens[:first], [*tokens[: n - 1], tokens[n - 1].saying("the"), *tokens[first:end]]
 
 
 def _given(tokens: Sequence[Token]) -> Sequence[Token]:

@@ -11,6 +11,7 @@ from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.absolutes import part_list
 from rpg.language.grammar.places.gaps import apart_by
 from rpg.language.grammar.places.onto import one_on_another
+from rpg.language.grammar.places.relations import loc
 from rpg.language.grammar.places.sides import toward
 from rpg.language.grammar.structures.along import listed_along
 from rpg.language.grammar.structures.sizes import size_phrase
@@ -67,6 +68,8 @@ _NONE = ("none at all", "none")
 _OF_TWO = ("the former", "the latter")
 _IS = ("is", "should be", "must be", "shall be", "has to be", "is to be", "goes", "should go", "reads", "should read",
        "will be", "needs to be", "consists of", "is made of", "is built of", "must go")  # fmt: skip
+_THAT_IS = tuple(f"{that} {stands}" for that in ("that", "which") for stands in ("is", "stands", "lies", "sits"))
+_MADE_OF = ("consists of", "is made of", "is made up of", "is built of", "is built from", "contains")
 _MADE_UP = tuple(
     f"{must} {made}"
     for must in ("shall", "must", "should", "has to", "is to")
@@ -182,8 +185,16 @@ def what_carries(p: Parser, i: int, mode: str) -> Results[Clause]:
 
 
 def _made_up(p: Parser, i: int, j: int, owner: Meaning, mode: str) -> Results[Clause]:
-    """ "the tower has three blocks", "the stack has yellow at the bottom and red on top": of a structure."""
+    """ "the tower has three blocks", "the stack has yellow at the bottom and red on top": of a structure; "the tower
+    (that stands) on the mat has three blocks": it is there."""
     bare = isinstance(owner, Structure) and owner.det in ("the", "its") and not (owner.plural or owner.members)
+    for place, there in loc(p, p.any_of(j, _THAT_IS) or j) if bare and i == 0 else ():
+        has = p.any_of(there, _HAS) or p.any_of(there, _MADE_UP) or p.any_of(there, _MADE_OF)
+        for members, end in noun_phrase(p, has) if has else ():
+            counted = isinstance(members, Coord) or (isinstance(members, Noun) and members.amount is not None)
+            if isinstance(owner, Structure) and counted and not (owner.sizes or owner.dims) and _new(members):
+                whole = replace(owner, det="a", members=members, span=p.span(i, end))
+                yield Clause(verb="build", theme=whole, adjuncts=(place,), mode=mode, span=p.span(i, end), cost=1), end
     k = p.any_of(j, _HAS) if bare else 0
     if not k or not isinstance(owner, Structure) or owner.sizes or owner.dims:
         return
@@ -203,6 +214,12 @@ def _made_up(p: Parser, i: int, j: int, owner: Meaning, mode: str) -> Results[Cl
                 if all(isinstance(x, Absolute | Coord) for x in more):
                     said = Clause(verb="build", theme=made, adjuncts=more, mode=mode, span=p.span(i, last), cost=1)
                     yield said, last
+
+
+def _new(members: Meaning) -> bool:
+    """ "three red blocks", "a red and a blue block"."""
+    items = members.items if isinstance(members, Coord) and members.op == "and" else (members,)
+    return all(isinstance(x, Noun) and x.det in ("a", "bare") and x.head != "patch" and not x.part_of for x in items)
 
 
 @rule

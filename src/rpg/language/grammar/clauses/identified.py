@@ -11,7 +11,7 @@ from rpg.language.grammar.places.prepositions import relation
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.nouns import simple
 from rpg.language.grammar.things.told_relatives import STANDS_THERE
-from rpg.language.meaning import Clause, In, Loc, Meaning, Noun, replace
+from rpg.language.meaning import Clause, In, Loc, Meaning, Noun, Structure, replace
 
 _GOES = (
     "goes", "should go", "must go", "has to go", "is", "should be", "must be", "lies", "should lie", "sits", "stands",
@@ -25,14 +25,16 @@ _AGAIN = frozenset({",", ";", "and"})
 
 @rule
 def what_is_there(p: Parser, i: int, mode: str) -> Results[Clause]:
-    """ "what goes on top of the yellow block is the pink one", "the block under the red one is yellow"."""
+    """ "what goes on top of the yellow block is the pink one", "the block under the red one is yellow", "what stands
+    behind it is a tower of two blue blocks"."""
     led = p.any_of(i, ("what", "the block that", "the one that", "the cube that"))
     for place, k in adjunct(p, j) if (j := p.any_of(led, _GOES) if led else p.any_of(i, THE_ONE)) else ():
         spot = place if led else by_block(p, place)
         end = p.any_of(k, ("is", "should be", "must be", "has to be")) if spot is not None else 0
         end = end or (k if spot is not None and not led and p.follows(i, _AGAIN) else 0)
         for theme, last in simple(p, end) if end else ():
-            if isinstance(theme, Noun) and theme.head != "patch" and isinstance(spot, Loc | In):
+            whole = isinstance(theme, Structure) and theme.det == "a" and bool(led)
+            if (whole or (isinstance(theme, Noun) and theme.head != "patch")) and isinstance(spot, Loc | In):
                 span = p.span(i, last)
                 yield Clause(verb="be", lemma="fact", theme=theme, adjuncts=(spot,), mode=mode, span=span, cost=1), last
     yield from what_carries(p, i, mode)

@@ -220,7 +220,7 @@ def _one_absolute(p: Parser, j: int, unit: str = "") -> Results[Absolute]:
         k = p.opt(p.reach(the + 1), "one", "block", "cube", "layer")
         k = p.opt(p.opt(k, "is", "being", ":", "should"), "be")
         for theme, end in simple(p, k):
-            if isinstance(theme, Noun):
+            if isinstance(theme, Noun) and theme.traits.rank is None:  # nor "the front left one"
                 own = the > j or p.follows(j, ("whose",))
                 place = At(side=side, own=own, utmost=p.words[the] in UTMOST, span=p.span(j, k))
                 yield Absolute(theme=theme, adjuncts=(place,), span=p.span(j, end), cost=1), end

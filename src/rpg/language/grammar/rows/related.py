@@ -35,6 +35,7 @@ RELATED_AT_ONCE: tuple[Turn, ...] = (
     (f"^{_YOU} (?:will|should|must) (?:find|see) ({THING}) ({PLACE} .+?)(?: ,)? (?:when {_YOU} are {_DONE}|at the end|"
      "in the end|afterwards)$", "{1} must be {2}"),
     # on which sides, and which one
+    ("\\b(left|right) (front|back|near|far|rear)(?= corner\\b)", "{2} {1}"),
     ("\\b(?:exactly|directly) in line between ", "collinear between "),
     ("\\bon its left(?: side)?(?: ,)? and on its right(?: side)?$", "on its left and right"),
     (f"\\b(?:on|at|to) (?:each|either|both) sides? of ({THING})(?: ,)? {_SIDES}$", "to the left and right of {1}"),
@@ -48,6 +49,8 @@ RELATED: tuple[Turn, ...] = (
      "way (?:round|around)|vice versa|the reverse)$",
      "either the {1} block must be {2} and the {3} block must be {4} , or the {1} block must be {4} and the {3} block "
      "must be {2}"),
+    (f"^((?:(?:build|make|form) )?an? (?:(?!{PLACE} )[^,])+?)(?: ,)? ({PLACE}) which (?:there )?"
+     "(?:is|are|stands?|lies?|sits?) (an? .+)$", "{1} with {3} {2} it"),
     # what one is for the other
     (f"\\b({MUST}) (?:serve|act|function|be used|work) {_BASE}\\b", "{1} support"),
     (f"\\b(?:serves|acts|functions|is used|works) {_BASE}\\b", "supports"),

@@ -339,6 +339,19 @@ def _kinds(p: Parser, i: int, j: int, quantity: Quantity, before: _Before) -> Re
         yield Structure(kind="equation", det="the", letter=text, span=p.span(j, end)), end
 
 
+def _said_by_it(p: Parser, j: int, base: Structure) -> Iterator[tuple[str, int]]:
+    """ "A row that reads FOX (stands on the mat)": what it says, as the subject of a verb."""
+    line = base.kind in ("row", "line") and base.det == "a" and not (base.plural or base.sizes)
+    k = p.any_of(j, _READS) if line else 0
+    if k and (text := literal(p, k)) is not None and len(text) > 1 and p.stands(k + 1, _STANDS):
+        yield text, k + 1
+
+
+_READS = tuple(f"{that} {reads}" for that in ("that", "which") for reads in ("reads", "spells", "says"))
+_READS = (*_READS, "reading", "spelling", "saying")
+_STANDS = frozenset({"stands", "is", "lies", "sits", "goes", "should", "must", "shall", "has"})
+
+
 def _tail(p: Parser, i: int, j: int, base: Structure) -> Results[Meaning]:
     """What follows the noun: "of three green blocks", "three blocks high", "with a 3x3 base", a word in quotes."""
     if base.kind == "word":
@@ -357,6 +370,8 @@ def _tail(p: Parser, i: int, j: int, base: Structure) -> Results[Meaning]:
             yield replace(base, letter=text, span=p.span(i, k)), k
         for result, k in result_alone(p, j):
             yield replace(base, letter=f"{base.letter or '+'}={result}", span=p.span(i, k)), k
+    for text, k in _said_by_it(p, j, base):
+        yield Structure(kind="word", det="the", letter=text, span=p.span(i, k)), k
     for pattern, k in per_color(p, j):
         base = replace(base, plural=True, details=(*base.details, pattern))
         yield from sized_members(p, i, k, base)

@@ -250,10 +250,9 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
         return
     if word == "nor" and isinstance(items[0], Noun) and items[0].det == "no":
         return
-    nxt = joined or comma
     if word == "plus" and isinstance(items[-1], Noun) and _mere_number(items[-1]):
         return
-    for item, j in [*simple(p, nxt), *_another_like(p, nxt, items[-1])]:
+    for item, j in [*simple(p, joined or comma), *_another_like(p, joined or comma, items[-1])]:
         if not joined and (isinstance(item, Pronoun) or (isinstance(item, Noun) and isinstance(item.part_of, Pronoun))):
             continue
         looks = item.traits if isinstance(item, Noun) else Traits()
@@ -289,7 +288,8 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
                 continue
             if len(items) == 1 and p.any_of(j, TOO):
                 continue  # "A left of B, C too": so is C
-            if op != "or" and not restates(items[-1], item) and not (len(items) == 1 and told_anew(items[0], item)):
+            anew = len(items) == 1 and told_anew(items[0], item, p.words[j])
+            if op != "or" and not restates(items[-1], item) and not anew:
                 yield Coord(op="and", items=whole, span=p.span(i, j), cost=6 if retold(whole) else 1), j
             yield from more(p, i, whole, j, op or "comma")
 

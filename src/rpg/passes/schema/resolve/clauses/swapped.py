@@ -16,6 +16,7 @@ from rpg.passes.schema.resolve.goals.conflicts import OPPOSITE
 from rpg.passes.schema.resolve.orders.reordered import with_two_swapped
 from rpg.passes.schema.resolve.places.relations import place
 from rpg.passes.schema.resolve.things.refer import refer
+from rpg.passes.schema.resolve.things.spoken import as_it_stands
 from rpg.passes.schema.resolve.things.things import Premise
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
 
@@ -36,6 +37,8 @@ def swap(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goal]
         parts = (theme, other)
     elif len(theme.names) == 2 and not isinstance(clause.theme, Structure):
         parts = tuple(Ref(names=(n,)) for n in theme.names)
+    elif len(theme.built) == 2 and not parts:
+        parts = tuple(Ref(names=built.members, built=(built,)) for built in theme.built)
     if len(parts) == 2:
         _one_on_each(theme, clause, spec, scene, scope)
     scene.premises[told:] = [_as_it_begins(premise) for premise in scene.premises[told:]]
@@ -53,8 +56,10 @@ def swap(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goal]
     only = spec.manner("only") is not None or theme.op == "only"
     pair = (*swap.a, *swap.b)
     line = with_two_swapped(*pair, scene, clause.span) if len(pair) == 2 else None
+    whole = [goal for part in parts for goal in as_it_stands(part, scene)]
     return [
         swap,
+        *whole,
         *([line] if line is not None else _on_each_others(parts[0], parts[1], scene, clause.span)),
         *(_others_stay(swap, scene) if only else ()),
     ]

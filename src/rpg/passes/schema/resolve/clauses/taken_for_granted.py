@@ -32,6 +32,7 @@ from rpg.passes.schema.resolve.clauses.changed_after import in_their_order
 from rpg.passes.schema.resolve.clauses.lined_there import lined_there
 from rpg.passes.schema.resolve.clauses.row_granted import Told, row_granted
 from rpg.passes.schema.resolve.places.shifted import RELS
+from rpg.passes.schema.resolve.things.world import refuse
 
 T = TypeVar("T")
 
@@ -55,6 +56,10 @@ def either_way(
     links, chains = lined_there(links, chains)
     chains = in_their_order(links, chains)
     granted = taken_for_granted(links, chains) or row_granted(links, chains, text)
+    moved = _moves_a_part(chains)
+    if granted is None and moved is not None:
+        raise refuse("ambiguous", "a block that is moved out of this is no longer in it", moved.span,
+                     "say how the blocks stand at the start, and where each of them is at the end")  # fmt: skip
     if granted is None:
         return read(links, chains, notes)
     there, told, more = granted
@@ -62,7 +67,8 @@ def either_way(
         return read(there, told, [*notes, *more])
     except Refusal as refusal:
         with suppress(Refusal):
-            return read(links, chains, notes)
+            if moved is None:
+                return read(links, chains, notes)
         raise refusal from None
 
 
@@ -70,7 +76,11 @@ def taken_for_granted(links: list[str], chains: tuple[Chain, ...]) -> Told | Non
     """The sentences behind one that says that the tower is there, with what is assumed of it; None where no tower is
     taken for granted, or it is told what it is."""
     clauses = tuple(clause for chain in chains for clause in chain.clauses)
-    if not all(isinstance(c, Clause) and c.mode == "command" and c.verb not in _BUILDING for c in clauses):
+    if both := _swapped_towers(clauses):
+        there_are = (Clause(verb="exist", mode="given", theme=replace(x, det="a"), span=x.span) for x in both)
+        begun = [Chain(clauses=(clause,), links=("and",), span=clause.span) for clause in there_are]
+        return ["and", "and", *links], (*begun, *chains), ("the two towers are there at the start",)
+    if not all(isinstance(c, Clause) and _is_done(c) and c.verb not in _BUILDING for c in clauses):
         return None
     changed = getattr(clauses[0], "verb", "") in ("reverse", "turn")
     meanwhile = ("without", *(("so",) if changed else ()))
@@ -101,6 +111,24 @@ def taken_for_granted(links: list[str], chains: tuple[Chain, ...]) -> Told | Non
     return ["and", *links], (Chain(clauses=(given,), links=("and",), span=there.span), *rest), tuple(notes)
 
 
+def _is_done(clause: Clause) -> bool:
+    """ "Move the top block of the tower", "the top block of the tower moves", "must move"."""
+    return clause.mode == "command" or (clause.verb == "place" and clause.lemma == "move")
+
+
+def _swapped_towers(clauses: tuple[Meaning, ...]) -> tuple[Structure, ...]:
+    """ "Swap the tower of two red blocks and the tower of two blue ones": both of them."""
+    swap = clauses[0] if len(clauses) == 1 else None
+    items = (
+        swap.theme.items if isinstance(swap, Clause) and swap.verb == "swap" and isinstance(swap.theme, Coord) else ()
+    )
+    towers = tuple(x for x in items if isinstance(x, Structure) and x.kind == "stack" and x.det == "the")
+    looks = {x.members.traits.colors for x in towers if isinstance(x.members, Noun) and x.members.amount}
+    apart = len(towers) == len(looks) == len(items) and all(looks) and all(map(_plain, towers))
+    return towers if apart and len(towers) == _PAIR else ()
+
+
+_PAIR = 2
 _OTHERS = frozenset({"the rest", "the others", "the other", "the other ones", "others", "everything else"})
 
 
@@ -188,6 +216,17 @@ def _spoken_elsewhere(clauses: tuple[Meaning, ...], first: Clause, whole: Struct
     lowest = isinstance(first.theme, Noun) and first.theme.traits.rank == "bottom"
     swapped = any(isinstance(clause, Clause) and clause.verb == "swap" for clause in clauses)
     return (len(looks) > 1 or lowest) if off else bool(looks) and swapped  # are these of the tower, or beside it?
+
+
+def _moves_a_part(chains: tuple[Chain, ...]) -> Clause | None:
+    """ "Move the left block of the row of three red blocks onto the mat": that row is not to be built first."""
+    first = chains[0].clauses[0]
+    if not isinstance(first, Clause) or first.lemma != "move" or not isinstance(first.theme, Noun):
+        return None
+    of = first.theme.part_of
+    whole = of.whole if isinstance(of, PartOf) else of
+    told = isinstance(whole, Structure) and whole.det == "the" and whole.members is not None
+    return first if told and any(isinstance(x, Loc) for x in first.adjuncts) else None
 
 
 def _is_shifted(first: Clause) -> bool:

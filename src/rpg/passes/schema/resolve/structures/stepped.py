@@ -9,6 +9,7 @@ from rpg.ir import structures as s
 from rpg.ir.order import Pattern
 from rpg.language.meaning import (
     Absolute,
+    Amount,
     At,
     Coord,
     Loc,
@@ -44,14 +45,30 @@ def pyramid(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope
     if any(shape.extent(what) not in (None, layers) for what in ("layers", "high")):
         raise refuse("contradiction", f"such a pyramid has {layers} layers", shape.span, f"say {layers} layers")
     need = pyramid_size(base)
+    upon = [x for x in spec.absolutes if _is_upon(x, shape, need)]
+    spec.absolutes = [x for x in spec.absolutes if x not in upon]
     _in_their_layers(told, base)
     _numbered(spec, base)
     form = s.Pyramid(blocks=("",), base=base)
     shape = widened(shape, spec, theme, form, need, scene)
     names = members_of(shape, spec, theme, need, need, scene, scope)
     pattern, readable = pattern_of(shape, spec, names, (base[1], base[0], layers), scene, scope, form)
+    for item in upon:
+        on_it = Loc(rel="on", landmark=Pronoun(word="it", span=item.span), span=item.span)
+        spec.absolutes.append(replace(item, adjuncts=(on_it,)))
     node = s.Pyramid(blocks=names, base=base, pattern=pattern, readable=readable, span=shape.span)
     return made("pyramid", node, names, shape.span, scene)
+
+
+def _is_upon(item: Absolute, shape: Structure, need: int) -> bool:
+    """ "A pyramid of three blue cubes with a yellow one on top": on the whole one, which is blue."""
+    blocks, further, place = shape.members, item.theme, item.adjuncts[0]
+    if not isinstance(blocks, Noun) or not isinstance(further, Noun) or not isinstance(place, At):
+        return False
+    one = further.det in ("a", "bare") and not further.plural and further.amount in (None, Amount(1, 1))
+    looks = blocks.traits.colors, further.traits.colors
+    on_top = place.side == "top" and place.index is None
+    return blocks.amount == Amount(need, need) and on_top and one and all(looks) and looks[0] != looks[1]
 
 
 def _looks_of_each(shape: Structure, told: list[Absolute]) -> None:

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.language.meaning import means, start_and_end
+from tests.language.meaning import code_of, means, start_and_end
 
 
 @pytest.mark.parametrize(
@@ -53,3 +53,33 @@ def test_it_is_the_tower_where_no_block_is_named() -> None:
     assert means("Move it on the mat. The tower is two red blocks.").endswith(
         "form a tower of exactly two on the gray patch."
     )
+
+
+@pytest.mark.parametrize(
+    ("text", "plain"),
+    [
+        ("tower, blue ones down and red ones up, 2 blue 3 red",
+         "Build a tower with the blue ones at the bottom and the red ones on top, 2 blue 3 red."),
+        ("all on the mat but green stays off. red, blue, green", "All except green on the mat. Red, blue, green."),
+        ("red ones on the mat, rest off it. 2 red 3 blue", "Red ones on the mat, the others not. 2 red 3 blue."),
+        ("tower of 4 changing colors red blue", "A tower of 4 with alternating colors red and blue."),
+        ("red block at the table edge on the left", "The red block must be at the left edge of the table."),
+        ("make wall of brick 4 long 2 high", "Build a wall of bricks 4 long and 2 high."),
+        ("row of red in front, row of blue at back, 4 each",
+         "Row of red blocks in front, row of blue blocks at the back, 4 each."),
+        ("cyan on green, green on red, red at the bottom", "Stack red, green and cyan from bottom to top."),
+        ("put the bottom block of the tower on top, tower is red blue green",
+         "At the start there is a tower of red, blue and green from bottom to top. Put the bottom block on top."),
+        ("top block goes to the bottom, tower red green blue from top",
+         "There is a tower of red, green and blue from top to bottom. Put the top block at the bottom of the tower."),
+        ("move the whole tower on the mat, tower is 2 red blocks",
+         "At the start there is a tower of two red blocks. Move the tower onto the mat."),
+    ],
+)  # fmt: skip
+def test_short_words_are_read_in_full(text: str, plain: str) -> None:
+    assert means(text) == means(plain)
+
+
+def test_a_tower_behind_that_nobody_spoke_of_is_no_start() -> None:
+    assert code_of("move red and blue to the mat, tower red on blue")
+    assert "At the start" not in means("move red and blue to the mat, the tower is red on blue")

@@ -22,6 +22,7 @@ _AT_END = (
     "(?=(?: (?:is|goes|comes|being|has to be|must be|should be))?(?: (?:at|in|on|to))?(?: the)? (?:bottom|top|left|"
     "right|front|back|first|last|start|end|base|below|lowest|nearest)\\b)"
 )
+_OF_TWO = "(?:one|the other)"
 _SORT = "(vowels|consonants|letters|digits|numbers|numerals)"
 
 UNIDIOMATIC_AT_ONCE: tuple[Turn, ...] = (
@@ -38,6 +39,27 @@ UNIDIOMATIC_AT_ONCE: tuple[Turn, ...] = (
     # which block of different sizes it is
     *((f"^(?=.*\\b(?:{_SIZED})\\b)(.*?)(?:\\bthe )?\\b(?:{sizes}){_WORDED}{_AT_END}", f"{{1}} the {most} one ")
       for sizes, most in (("big|large", "largest"), ("small|little|tiny", "smallest"))),
+    # what is asked of the tower that is there
+    ("^(?:the )?(top|bottom) (block|cube|one) (?:goes|comes|moves) to the (?!\\1)(bottom|top)(?=$| ,)",
+     "put the {1} {2} at the {3} of the tower"),
+    # what there is
+    (f"^one ({PATCH})(?: is)? ({COLOR}) ,(?: and)? {_OF_TWO}(?: {PATCH}| one)?(?: is)? ({COLOR}) , (?={_DOES} )",
+     "there is a {2} {1} and a {3} {1} . "),
+    (f"\\bthe ({PATCH}) (left|right) is (?={COLOR}\\b)", "the {2} {1} is "),
+    ("\\b(?:on|at) (?:the )?table edge(?: (?:on|at|to))?(?: the)? (left|right|front|back)\\b(?! (?:of|side))",
+     "at the {1} edge of the table"),
+    (f"\\b(wall|tower|row|pyramid|square) of (brick|{CUBE})(?=$| {MANY} (?:long|wide|high|tall)\\b)", "{1} of {2s}"),
+    # all but some
+    (f"^((?:put )?(?:all|everything)) (on the [^,]+?)(?: ,)? but(?: not)? (?:the )?({COLOR})(?: one| {CUBE})?"
+     "(?: (?:stays|is|must stay|should stay) (?:off|outside)(?: it)?)?$", "{1} except {3} {2}"),
+    (f"^(.+? {PLACE} [^,]+?)(?: ,| and| , and) (?:the )?(?:rest|others) off(?: it)?$", "{1} , the others not"),
+    # from the one on top of all to the one below all
+    (f"^(.+ on ({COLOR}))(?: , that is the whole tower)?(?: ,| and| , and) \\2 (?:is |goes )?"
+     "(?:at the (?:very )?bottom|lowest)$", "{1} , that is the whole tower"),
+    (f"\\b({LINE}) of ({COLOR})(?= (?:in|on|at|behind|next)\\b(?! (?:\\w+ )?{COLOR})|(?: ,| and| , and) (?:an? )?{LINE}"
+     "\\b)", "{1} of {2} blocks"),
+    (f"( {CUBE}s\\b.*?) with (?:some |enough |a little )?(?:space|room|gaps?) between$", "{1} with space between them"),
+    ("^(?:an? )?(\\d+x\\d+) base of (?=.* on top$)", "a {1} layer of "),
     ("\\beach one (?=(?:with|has|having) |(?:of|in) (?!the\\b|these\\b|them\\b))", "each "),
     (f"\\bthe ({COLOR}) (?=(?:are|have) (?:all )?to be )", "the {1} blocks "),
     (f"\\b({CUBE}s) ({COLOR})s\\b", "{2} {1}"),
@@ -93,6 +115,17 @@ UNIDIOMATIC: tuple[Turn, ...] = (
     *((f"\\bwithout to {gerund[:-3]}e? ", f"without {gerund} ") for gerund in _GERUNDS),
     (f"\\b(on|on top of|beside|next to|touching|touches|touch) other (?={CUBE}\\b)", "{1} another "),
     ("^(?:change|exchange|swap|switch) (?:the )?(?:places?|positions?|spots?) (?:of|between) ", "swap "),
+    ("\\b(?:on|at) the (left|right) table edge\\b", "at the {1} edge of the table"),
+    ("^([^,]+?) (on the [^,]+?) , (?:all )?lying flat(?= ,|$)", "{1} flat {2}"),
+    (f"^(.*\\b{COLOR}(?: ones?| {CUBE}s?)?) down( and| ,| , and) (.*\\b{COLOR}(?: ones?| {CUBE}s?)?) up(?= ,|$)",
+     "{1} at the bottom {2} {3} on top"),
+    # by turns
+    ("\\bwhere (?:there is )?always (an? \\w+ and an? \\w+) (?:change|alternate)(?: each other)?\\b",
+     "where {1} alternate"),
+    ("\\bcolors? changes?(?: every time| always| each time)? between\\b", "color alternates between"),
+    (f"\\b(of {MANY}) (?:changing|alternating) colors ({COLOR})(?: and| ,)? ({COLOR})\\b",
+     "{1} with alternating colors {2} and {3}"),
+    (f"^({MANY} (?:{CUBE}|brick)s high\\b[^:]*: .+)$", "a tower {1}"),
     # which and how many they are
     (f"^(.*\\b(?:each|every|per) {PATCH}\\b.*?) , ({MANY} {PATCHES}\\b.*)$", "{1} . there are {2}"),
     *((f"^(.*\\btower\\b.*? (?:{COLOR}|\\w)(?: {CUBE}| one)?) from (?:the )?{one}$", f"{{1}} from {one} to {other}")

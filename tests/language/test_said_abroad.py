@@ -83,3 +83,29 @@ def test_short_words_are_read_in_full(text: str, plain: str) -> None:
 def test_a_tower_behind_that_nobody_spoke_of_is_no_start() -> None:
     assert code_of("move red and blue to the mat, tower red on blue")
     assert "At the start" not in means("move red and blue to the mat, the tower is red on blue")
+
+
+@pytest.mark.parametrize(
+    ("text", "plain"),
+    [
+        ("cubes in 2 groups, 3 and 2", "3 cubes in one group and 2 cubes in another group."),
+        ("6 cubes in two piles, 2 and 4", "Six cubes in two groups, one of 2 and one of 4."),
+        ("row of red blue green white, red not at the end",
+         "A row of red, blue, green and white. Red is not at the end."),
+        ("make one big square 3x3 from green cube", "A 3x3 square of green cubes."),
+        ("A and C exchange, B no move", "Swap A and C. B does not move."),
+        ("blue on red at beginning. at end they are next to each other",
+         "At the start blue is on red. At the end they are next to each other."),
+        ("biggest number on the mat, 3 8 5", "There are 3, 8 and 5. The biggest number on the mat."),
+        ("rotate A 90 degrees to right", "Rotate A 90 degrees to the right."),
+    ],
+)  # fmt: skip
+def test_numbers_and_places_in_few_words(text: str, plain: str) -> None:
+    assert means(text) == means(plain)
+
+
+@pytest.mark.parametrize(
+    "text", ["6 cubes in two groups, one of 2 and one of 3", "6 cubes in a group of 2 and a group of 3"]
+)
+def test_groups_that_do_not_take_all_are_no_sorting(text: str) -> None:
+    assert code_of(text)

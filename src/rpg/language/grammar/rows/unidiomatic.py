@@ -22,6 +22,8 @@ _AT_END = (
     "(?=(?: (?:is|goes|comes|being|has to be|must be|should be))?(?: (?:at|in|on|to))?(?: the)? (?:bottom|top|left|"
     "right|front|back|first|last|start|end|base|below|lowest|nearest)\\b)"
 )
+_FIGURE = "(?:wall|tower|stack|row|line|column|pyramid|square|circle|ring|grid|triangle|staircase)"
+_TWO_LOTS = "(?:2|two) (?:groups|piles|bunches)"
 _OF_TWO = "(?:one|the other)"
 _SORT = "(vowels|consonants|letters|digits|numbers|numerals)"
 
@@ -48,7 +50,17 @@ UNIDIOMATIC_AT_ONCE: tuple[Turn, ...] = (
     (f"\\bthe ({PATCH}) (left|right) is (?={COLOR}\\b)", "the {2} {1} is "),
     ("\\b(?:on|at) (?:the )?table edge(?: (?:on|at|to))?(?: the)? (left|right|front|back)\\b(?! (?:of|side))",
      "at the {1} edge of the table"),
-    (f"\\b(wall|tower|row|pyramid|square) of (brick|{CUBE})(?=$| {MANY} (?:long|wide|high|tall)\\b)", "{1} of {2s}"),
+    (f"\\b({_FIGURE}(?: \\d+x\\d+)? (?:of|from|with|out of)) ((?:{COLOR} )?(?:brick|{CUBE}))(?=$| ,| {MANY} "
+     "(?:long|wide|high|tall)\\b)", "{1} {2s}"),
+    # where it is not, of one that was listed
+    (f"^((?:.* )?{LINE}\\b.*?\\b({COLOR})\\b.*) , (?:the )?\\2(?: one| {CUBE})? not (?=(?:at|in|on|next|"
+     "beside|touching|near)\\b)", "{1} . {2} is not "),
+    # of how many groups are
+    (f"^(.*\\b{MANY} [^,]*\\bin(?:to)? {_TWO_LOTS}) , ({MANY}) and ({MANY})$", "{1} , one of {2} and one of {3}"),
+    (f"^(?:put |sort |split |make )?(?:the )?({CUBE}s) in(?:to)? {_TWO_LOTS} , ({MANY}) and ({MANY})$",
+     "{2} {1} in one group and {3} {1} in another group"),
+    ("^((?:put |place )?(?:the )?(?:biggest|largest|highest|smallest|lowest) (?:number|digit)\\b.*) , "
+     "((?:\\d(?: ,| and)? )+\\d)$", "there are {2} . {1}"),
     # all but some
     (f"^((?:put )?(?:all|everything)) (on the [^,]+?)(?: ,)? but(?: not)? (?:the )?({COLOR})(?: one| {CUBE})?"
      "(?: (?:stays|is|must stay|should stay) (?:off|outside)(?: it)?)?$", "{1} except {3} {2}"),
@@ -119,6 +131,12 @@ UNIDIOMATIC: tuple[Turn, ...] = (
     ("^([^,]+?) (on the [^,]+?) , (?:all )?lying flat(?= ,|$)", "{1} flat {2}"),
     (f"^(.*\\b{COLOR}(?: ones?| {CUBE}s?)?) down( and| ,| , and) (.*\\b{COLOR}(?: ones?| {CUBE}s?)?) up(?= ,|$)",
      "{1} at the bottom {2} {3} on top"),
+    ("(?<!from )\\b(small|smallest|little) to (big|biggest|large|largest)\\b", "from {1} to {2}"),
+    ("(?<!from )\\b(big|biggest|large|largest) to (small|smallest|little)\\b", "from {1} to {2}"),
+    ("^(rotate|turn) (.+? degrees?) to (left|right)$", "{1} {2} to the {3}"),
+    ("\\b(at|in) (beginning|start|end)(?=$| ,)", "{1} the {2}"),
+    (f"^({THING}) and ({THING}) (?:exchange|trade|switch)(?=$| ,)", "{1} and {2} swap"),
+    (f"(?<= )({THING}) (?:no|not) (move|change|touch)$", "{1} does not {2}"),
     # by turns
     ("\\bwhere (?:there is )?always (an? \\w+ and an? \\w+) (?:change|alternate)(?: each other)?\\b",
      "where {1} alternate"),

@@ -109,3 +109,27 @@ def test_numbers_and_places_in_few_words(text: str, plain: str) -> None:
 )
 def test_groups_that_do_not_take_all_are_no_sorting(text: str) -> None:
     assert code_of(text)
+
+
+@pytest.mark.parametrize(
+    ("text", "plain"),
+    [
+        ("two of three red in tower, third next to it", "Two of three red cubes in a tower, the other one next to it."),
+        ("there should not be any cube on the mat, now there are two red",
+         "At the start there are two red cubes on the mat. There should not be any cube on the mat."),
+        ("Object: red cube. Target: on blue cube.", "Put the red cube on the blue cube."),
+        ("Pick: red. Place: green mat.", "Put red on the green mat."),
+        ("qty 3 red cubes stacked", "3 red cubes stacked."),
+        ("2 pcs red cube in a row", "Two red cubes in a row."),
+        ("4 blocks make corners of square", "Four blocks form the corners of a square."),
+        ("tower 4 blocks and tower 2 blocks", "A tower of 4 blocks and a tower of 2 blocks."),
+        ("one red cube, one blue cube, blue on the mat",
+         "There are one red cube and one blue cube. The blue one on the mat."),
+    ],
+)  # fmt: skip
+def test_notes_and_lists_in_few_words(text: str, plain: str) -> None:
+    assert means(text) == means(plain)
+
+
+def test_colors_in_a_list_are_blocks_of_their_own() -> None:
+    assert means("red, blue, blue on the mat").startswith("There are a red block and two blue blocks.")

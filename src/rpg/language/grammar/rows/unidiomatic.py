@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from rpg.language.grammar.rows.said_short import PLACE, THING
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, END, LINE, MANY, MUST, PATCH, PATCHES
+from rpg.language.grammar.rows.vocabulary import AND, COLOR, CUBE, END, LINE, MANY, MUST, PATCH, PATCHES
 
 _WHO = "(?:my|your|our|his|her|(?:the |a )?(?:viewer|observer|robot|camera|reader|onlooker|spectator) 's)"
 _FIRST = "(biggest|largest|highest|smallest|lowest)(?: one| number| digit)?"
@@ -24,6 +24,8 @@ _AT_END = (
 )
 _FIGURE = "(?:wall|tower|stack|row|line|column|pyramid|square|circle|ring|grid|triangle|staircase)"
 _TWO_LOTS = "(?:2|two) (?:groups|piles|bunches)"
+_A = f"(?:{MANY}|an?)"
+_LOT = f"{_A} {COLOR} {CUBE}s?"
 _OF_TWO = "(?:one|the other)"
 _SORT = "(vowels|consonants|letters|digits|numbers|numerals)"
 
@@ -61,6 +63,17 @@ UNIDIOMATIC_AT_ONCE: tuple[Turn, ...] = (
      "{2} {1} in one group and {3} {1} in another group"),
     ("^((?:put |place )?(?:the )?(?:biggest|largest|highest|smallest|lowest) (?:number|digit)\\b.*) , "
      "((?:\\d(?: ,| and)? )+\\d)$", "there are {2} . {1}"),
+    # the third of three, and not what is done third
+    (f"\\b((?:two|2) of (?:the )?(?:three|3)\\b.*?) (,|and|, and) (?:the )?third(?: one| {CUBE})? (?=(?:is |goes |"
+     f"stands )?{PLACE})", "{1} {2} the other one "),
+    # what there is, and where one of it goes
+    (f"^((?:{_LOT}{AND} )*{_A} ({COLOR}) {CUBE}s?(?:{AND} {_LOT})*) , ((?:the )?\\2(?: ones?| {CUBE}s?)? (?:goes |is |"
+     f"are )?{PLACE} .+)$", "there are {1} . {3}"),
+    # what lies there
+    (f"^(.*\\bon (the (?:{COLOR} )?{PATCH})\\b.*) (?:,|, but|but) (?:now|right now|at the moment) there (?:is|are) "
+     "([^,]+)$", "at the start there are {3} on {2} . {1}"),
+    *((f"\\b{end} most\\b(?= (?:one|{CUBE}))", f"{end}most") for end in ("left", "right", "top", "bottom")),
+    ("\\b(?:qty|quantity)(?: :| of)? (?=(?:\\d+|two|three|four|five|six)\\b)", ""),
     # all but some
     (f"^((?:put )?(?:all|everything)) (on the [^,]+?)(?: ,)? but(?: not)? (?:the )?({COLOR})(?: one| {CUBE})?"
      "(?: (?:stays|is|must stay|should stay) (?:off|outside)(?: it)?)?$", "{1} except {3} {2}"),
@@ -86,8 +99,8 @@ UNIDIOMATIC: tuple[Turn, ...] = (
     (f"\\bfrom {_WHO} ({END})(?: side)? to (?:the |{_WHO} )?({END})(?: side)?\\b", "from {1} to {2}"),
     ("^(?:the )?stacking (?:order|sequence)(?: is)?(?: ,| \\()? ?(?:from )?(?:the )?(bottom|top) to "
      "(?:the )?(top|bottom)(?: \\))?(?: is| :)? (.+)$", "stack from {1} to {2} : {3}"),
-    (f"^((?:four|4) [^,]+?)(?: ,)? (?:{MUST} )?(?:be|are|build|form|make(?: up)?|mark) the (?:four )?corners of an? "
-     "(?:imaginary )?square$", "{1} must form a square"),
+    (f"^((?:four|4) [^,]+?)(?: ,)? (?:{MUST} )?(?:be|are|build|form|make(?: up)?|mark) (?:the )?(?:four )?corners of "
+     "(?:an? )?(?:imaginary )?square$", "{1} must form a square"),
     ("\\bin (?:rising|growing|mounting|climbing) order\\b", "in ascending order"),
     ("\\bin (?:falling|sinking|shrinking) order\\b", "in descending order"),
     # each other
@@ -137,6 +150,8 @@ UNIDIOMATIC: tuple[Turn, ...] = (
     ("\\b(at|in) (beginning|start|end)(?=$| ,)", "{1} the {2}"),
     (f"^({THING}) and ({THING}) (?:exchange|trade|switch)(?=$| ,)", "{1} and {2} swap"),
     (f"(?<= )({THING}) (?:no|not) (move|change|touch)$", "{1} does not {2}"),
+    (f"(?<!the )\\b(tower|row|column|pyramid|wall) (?={MANY} (?:{COLOR} )?(?:{CUBE}|brick)s?\\b)", "{1} of "),
+    ("\\bbesides$", "beside it"),
     # by turns
     ("\\bwhere (?:there is )?always (an? \\w+ and an? \\w+) (?:change|alternate)(?: each other)?\\b",
      "where {1} alternate"),
@@ -160,7 +175,7 @@ UNIDIOMATIC: tuple[Turn, ...] = (
 """What is looked for, and what is said instead."""
 WORDS = (
     "viewer observer onlooker spectator regarding concerning regards banned disallowed prohibited "
-    "correspondingly imaginary valid interchanged mounting climbing growing falling sinking "
+    "correspondingly qty quantity imaginary valid interchanged mounting climbing growing falling sinking "
     "shrinking rising alternated alternatingly interchanging",
 )
 """Words that these take besides those that are read anyway."""

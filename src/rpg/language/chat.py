@@ -42,8 +42,9 @@ _SEEN = lexicon.NUMBER.keys() | {"a", "an", "the"}
 """Behind these letters they are "be" and "see"."""
 _TOLD = lexicon.BLOCK.keys() | lexicon.PATCH.keys() | {"one", "it", "them", "be", "is", "and", "then", "um", "uh"}
 """Behind these "like" may be a filler."""
-_MARKS = frozenset({"u", "n", "b", "c", "k", "r", "1", "2", "like", "kind", "sort", "mean", "bit", "blk", "pcs", "ltr",
-                    *_TYPED, *(word for pair in _GLUED for word in pair)})  # fmt: skip
+_COUNTED = frozenset({*lexicon.COLOR, *lexicon.BLOCK})
+_MARKS = frozenset({"u", "n", "b", "c", "k", "r", "1", "2", "like", "kind", "sort", "mean", "bit", "blk", "pcs", "pc",
+                    "ltr", *_TYPED, *(word for pair in _GLUED for word in pair)})  # fmt: skip
 
 
 def as_typed(tokens: list[Token]) -> list[Token]:
@@ -92,6 +93,8 @@ def _meant(tokens: list[Token], words: list[str], at: int, hurried: bool) -> Ite
         yield ["from", "left", "to", "right"], at + 1
     elif token.word == "pcs" and words[at + 1 : at + 3] == [".", ")"]:
         yield ["blocks"], at + 2
+    elif token.word in ("pcs", "pc") and at and tokens[at - 1].kind == "number" and behind in _COUNTED:
+        yield [], at + 1
     elif token.word == "2" and _from_end_to_end(words, at):
         yield ["to"], at + 1
     elif token.word == "2":

@@ -64,6 +64,11 @@ ACROSS: tuple[Turn, ...] = (
     *map(_in_steps, (3, 2)),
     ("^the (circle|ring|row|line|column|tower|stack|square|pyramid|wall|grid) (?:has|contains|consists of|is made(?: "
      f"up)? of) (?=(?:an?|{MANY}) (?:\\w+ )+(?:and|,) [^.]+ \\.?$)", "a {1} of "),
+    # as on a form
+    (f"^(?:pick(?: up)?|grab|take|object|item|block) : ([^.:]+) \\. (?:place|put|target|goal|destination|drop) : "
+     f"({PLACE} [^.:]+)(?= \\.|$)", "put {1} {2}"),
+    ("^(?:pick(?: up)?|grab|take|object|item|block) : ([^.:]+) \\. (?:place|put|target|goal|destination|drop) : "
+     "(?:the )?([^.:]+)(?= \\.|$)", "put {1} on the {2}"),
     # of what there is, a part is moved
     (f"^(?:the )?({LINE}) {_HAS} (?=(?:{MANY} {CUBE}|[^.]*?{COLOR})[^.]* \\. (?:please |now |then )*(?:{_TAKE}|swap|"
      f"turn|reverse)(?: off| away| down)? (?:the (?:{END}|middle|lowest|highest|first|last)|its|it)\\b)",

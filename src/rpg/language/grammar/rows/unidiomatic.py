@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from rpg.language.grammar.rows.said_short import PLACE, THING
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, END, LINE, MANY, MUST, PATCH, PATCHES
+from rpg.language.grammar.rows.vocabulary import AND, COLOR, CUBE, END, LINE, MANY, MUST, PATCH, PATCHES
 
 _WHO = "(?:my|your|our|his|her|(?:the |a )?(?:viewer|observer|robot|camera|reader|onlooker|spectator) 's)"
 _FIRST = "(biggest|largest|highest|smallest|lowest)(?: one| number| digit)?"
@@ -22,6 +22,11 @@ _AT_END = (
     "(?=(?: (?:is|goes|comes|being|has to be|must be|should be))?(?: (?:at|in|on|to))?(?: the)? (?:bottom|top|left|"
     "right|front|back|first|last|start|end|base|below|lowest|nearest)\\b)"
 )
+_FIGURE = "(?:wall|tower|stack|row|line|column|pyramid|square|circle|ring|grid|triangle|staircase)"
+_TWO_LOTS = "(?:2|two) (?:groups|piles|bunches)"
+_A = f"(?:{MANY}|an?)"
+_LOT = f"{_A} {COLOR} {CUBE}s?"
+_OF_TWO = "(?:one|the other)"
 _SORT = "(vowels|consonants|letters|digits|numbers|numerals)"
 
 UNIDIOMATIC_AT_ONCE: tuple[Turn, ...] = (
@@ -38,6 +43,48 @@ UNIDIOMATIC_AT_ONCE: tuple[Turn, ...] = (
     # which block of different sizes it is
     *((f"^(?=.*\\b(?:{_SIZED})\\b)(.*?)(?:\\bthe )?\\b(?:{sizes}){_WORDED}{_AT_END}", f"{{1}} the {most} one ")
       for sizes, most in (("big|large", "largest"), ("small|little|tiny", "smallest"))),
+    # what is asked of the tower that is there
+    ("^(?:the )?(top|bottom) (block|cube|one) (?:goes|comes|moves) to the (?!\\1)(bottom|top)(?=$| ,)",
+     "put the {1} {2} at the {3} of the tower"),
+    # what there is
+    (f"^one ({PATCH})(?: is)? ({COLOR}) ,(?: and)? {_OF_TWO}(?: {PATCH}| one)?(?: is)? ({COLOR}) , (?={_DOES} )",
+     "there is a {2} {1} and a {3} {1} . "),
+    (f"\\bthe ({PATCH}) (left|right) is (?={COLOR}\\b)", "the {2} {1} is "),
+    ("\\b(?:on|at) (?:the )?table edge(?: (?:on|at|to))?(?: the)? (left|right|front|back)\\b(?! (?:of|side))",
+     "at the {1} edge of the table"),
+    (f"\\b({_FIGURE}(?: \\d+x\\d+)? (?:of|from|with|out of)) ((?:{COLOR} )?(?:brick|{CUBE}))(?=$| ,| {MANY} "
+     "(?:long|wide|high|tall)\\b)", "{1} {2s}"),
+    # where it is not, of one that was listed
+    (f"^((?:.* )?{LINE}\\b.*?\\b({COLOR})\\b.*) , (?:the )?\\2(?: one| {CUBE})? not (?=(?:at|in|on|next|"
+     "beside|touching|near)\\b)", "{1} . {2} is not "),
+    # of how many groups are
+    (f"^(.*\\b{MANY} [^,]*\\bin(?:to)? {_TWO_LOTS}) , ({MANY}) and ({MANY})$", "{1} , one of {2} and one of {3}"),
+    (f"^(?:put |sort |split |make )?(?:the )?({CUBE}s) in(?:to)? {_TWO_LOTS} , ({MANY}) and ({MANY})$",
+     "{2} {1} in one group and {3} {1} in another group"),
+    ("^((?:put |place )?(?:the )?(?:biggest|largest|highest|smallest|lowest) (?:number|digit)\\b.*) , "
+     "((?:\\d(?: ,| and)? )+\\d)$", "there are {2} . {1}"),
+    # the third of three, and not what is done third
+    (f"\\b((?:two|2) of (?:the )?(?:three|3)\\b.*?) (,|and|, and) (?:the )?third(?: one| {CUBE})? (?=(?:is |goes |"
+     f"stands )?{PLACE})", "{1} {2} the other one "),
+    # what there is, and where one of it goes
+    (f"^((?:{_LOT}{AND} )*{_A} ({COLOR}) {CUBE}s?(?:{AND} {_LOT})*) , ((?:the )?\\2(?: ones?| {CUBE}s?)? (?:goes |is |"
+     f"are )?{PLACE} .+)$", "there are {1} . {3}"),
+    # what lies there
+    (f"^(.*\\bon (the (?:{COLOR} )?{PATCH})\\b.*) (?:,|, but|but) (?:now|right now|at the moment) there (?:is|are) "
+     "([^,]+)$", "at the start there are {3} on {2} . {1}"),
+    *((f"\\b{end} most\\b(?= (?:one|{CUBE}))", f"{end}most") for end in ("left", "right", "top", "bottom")),
+    ("\\b(?:qty|quantity)(?: :| of)? (?=(?:\\d+|two|three|four|five|six)\\b)", ""),
+    # all but some
+    (f"^((?:put )?(?:all|everything)) (on the [^,]+?)(?: ,)? but(?: not)? (?:the )?({COLOR})(?: one| {CUBE})?"
+     "(?: (?:stays|is|must stay|should stay) (?:off|outside)(?: it)?)?$", "{1} except {3} {2}"),
+    (f"^(.+? {PLACE} [^,]+?)(?: ,| and| , and) (?:the )?(?:rest|others) off(?: it)?$", "{1} , the others not"),
+    # from the one on top of all to the one below all
+    (f"^(.+ on ({COLOR}))(?: , that is the whole tower)?(?: ,| and| , and) \\2 (?:is |goes )?"
+     "(?:at the (?:very )?bottom|lowest)$", "{1} , that is the whole tower"),
+    (f"\\b({LINE}) of ({COLOR})(?= (?:in|on|at|behind|next)\\b(?! (?:\\w+ )?{COLOR})|(?: ,| and| , and) (?:an? )?{LINE}"
+     "\\b)", "{1} of {2} blocks"),
+    (f"( {CUBE}s\\b.*?) with (?:some |enough |a little )?(?:space|room|gaps?) between$", "{1} with space between them"),
+    ("^(?:an? )?(\\d+x\\d+) base of (?=.* on top$)", "a {1} layer of "),
     ("\\beach one (?=(?:with|has|having) |(?:of|in) (?!the\\b|these\\b|them\\b))", "each "),
     (f"\\bthe ({COLOR}) (?=(?:are|have) (?:all )?to be )", "the {1} blocks "),
     (f"\\b({CUBE}s) ({COLOR})s\\b", "{2} {1}"),
@@ -52,8 +99,8 @@ UNIDIOMATIC: tuple[Turn, ...] = (
     (f"\\bfrom {_WHO} ({END})(?: side)? to (?:the |{_WHO} )?({END})(?: side)?\\b", "from {1} to {2}"),
     ("^(?:the )?stacking (?:order|sequence)(?: is)?(?: ,| \\()? ?(?:from )?(?:the )?(bottom|top) to "
      "(?:the )?(top|bottom)(?: \\))?(?: is| :)? (.+)$", "stack from {1} to {2} : {3}"),
-    (f"^((?:four|4) [^,]+?)(?: ,)? (?:{MUST} )?(?:be|are|build|form|make(?: up)?|mark) the (?:four )?corners of an? "
-     "(?:imaginary )?square$", "{1} must form a square"),
+    (f"^((?:four|4) [^,]+?)(?: ,)? (?:{MUST} )?(?:be|are|build|form|make(?: up)?|mark) (?:the )?(?:four )?corners of "
+     "(?:an? )?(?:imaginary )?square$", "{1} must form a square"),
     ("\\bin (?:rising|growing|mounting|climbing) order\\b", "in ascending order"),
     ("\\bin (?:falling|sinking|shrinking) order\\b", "in descending order"),
     # each other
@@ -93,6 +140,25 @@ UNIDIOMATIC: tuple[Turn, ...] = (
     *((f"\\bwithout to {gerund[:-3]}e? ", f"without {gerund} ") for gerund in _GERUNDS),
     (f"\\b(on|on top of|beside|next to|touching|touches|touch) other (?={CUBE}\\b)", "{1} another "),
     ("^(?:change|exchange|swap|switch) (?:the )?(?:places?|positions?|spots?) (?:of|between) ", "swap "),
+    ("\\b(?:on|at) the (left|right) table edge\\b", "at the {1} edge of the table"),
+    ("^([^,]+?) (on the [^,]+?) , (?:all )?lying flat(?= ,|$)", "{1} flat {2}"),
+    (f"^(.*\\b{COLOR}(?: ones?| {CUBE}s?)?) down( and| ,| , and) (.*\\b{COLOR}(?: ones?| {CUBE}s?)?) up(?= ,|$)",
+     "{1} at the bottom {2} {3} on top"),
+    ("(?<!from )\\b(small|smallest|little) to (big|biggest|large|largest)\\b", "from {1} to {2}"),
+    ("(?<!from )\\b(big|biggest|large|largest) to (small|smallest|little)\\b", "from {1} to {2}"),
+    ("^(rotate|turn) (.+? degrees?) to (left|right)$", "{1} {2} to the {3}"),
+    ("\\b(at|in) (beginning|start|end)(?=$| ,)", "{1} the {2}"),
+    (f"^({THING}) and ({THING}) (?:exchange|trade|switch)(?=$| ,)", "{1} and {2} swap"),
+    (f"(?<= )({THING}) (?:no|not) (move|change|touch)$", "{1} does not {2}"),
+    (f"(?<!the )\\b(tower|row|column|pyramid|wall) (?={MANY} (?:{COLOR} )?(?:{CUBE}|brick)s?\\b)", "{1} of "),
+    ("\\bbesides$", "beside it"),
+    # by turns
+    ("\\bwhere (?:there is )?always (an? \\w+ and an? \\w+) (?:change|alternate)(?: each other)?\\b",
+     "where {1} alternate"),
+    ("\\bcolors? changes?(?: every time| always| each time)? between\\b", "color alternates between"),
+    (f"\\b(of {MANY}) (?:changing|alternating) colors ({COLOR})(?: and| ,)? ({COLOR})\\b",
+     "{1} with alternating colors {2} and {3}"),
+    (f"^({MANY} (?:{CUBE}|brick)s high\\b[^:]*: .+)$", "a tower {1}"),
     # which and how many they are
     (f"^(.*\\b(?:each|every|per) {PATCH}\\b.*?) , ({MANY} {PATCHES}\\b.*)$", "{1} . there are {2}"),
     *((f"^(.*\\btower\\b.*? (?:{COLOR}|\\w)(?: {CUBE}| one)?) from (?:the )?{one}$", f"{{1}} from {one} to {other}")
@@ -109,7 +175,7 @@ UNIDIOMATIC: tuple[Turn, ...] = (
 """What is looked for, and what is said instead."""
 WORDS = (
     "viewer observer onlooker spectator regarding concerning regards banned disallowed prohibited "
-    "correspondingly imaginary valid interchanged mounting climbing growing falling sinking "
+    "correspondingly qty quantity imaginary valid interchanged mounting climbing growing falling sinking "
     "shrinking rising alternated alternatingly interchanging",
 )
 """Words that these take besides those that are read anyway."""

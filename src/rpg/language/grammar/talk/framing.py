@@ -272,7 +272,7 @@ VIEW = Patterns(
     "as? seen|viewed|looked_at|visible from my|our|your <side>",
     "as? seen|viewed|looked_at|watched from above|straight_above",
     "seen|viewed|looked_at from the_top|the_front|in_front",
-    "from my|our|your|this? point_of_view|perspective|viewpoint|standpoint|angle",
+    "from my|our|your|this? point_of_view|perspective|view|viewpoint|standpoint|angle",
     "from <viewer> 's point_of_view|perspective|viewpoint|standpoint|angle|side",
     "for the viewer|camera|audience|spectator|observer",
     classes=_VIEWS,

@@ -3,6 +3,8 @@ and a white block."."""
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import STOPS, sentences
 from rpg.language.phrases import behind
@@ -15,8 +17,10 @@ _AT = frozenset({"on", "at", "in", "next", "beside", "behind", "left", "right", 
                  "upright"})  # fmt: skip
 """What a tower is not made of: "the tower is next to the red block"."""
 _THERE = frozenset({"take", "unstack", "dismantle", "disassemble", "apart", "keep", "leave", "move", "reverse",
-                    "remove", "upside", "swap", "off", "rebuild", "invert", "restack"})  # fmt: skip
+                    "remove", "turn", "upside", "swap", "off", "rebuild", "invert", "restack"})  # fmt: skip
 """Words of what is done with a tower that is there."""
+_PARTS = frozenset((end, block) for end in ("top", "bottom", "middle") for block in ("block", "cube", "one"))
+"""What is moved of such a tower."""
 _ONE = frozenset({"one", *lexicon.BLOCK, *lexicon.COLOR})
 _ARTICLES = frozenset({"a", "an", "one", "another", "each", "two", "three", "four", "both"})
 
@@ -25,10 +29,10 @@ def line_told_behind(tokens: list[Token]) -> list[Token] | None:
     """The words with what the tower is made of in front, as it is at the start; None where none is told so."""
     words = [token.word for token in tokens]
     lines = {word for word in words if word in _LINES}
-    if len(lines) != 1 or _THERE.isdisjoint(words):
+    if len(lines) != 1 or (_THERE.isdisjoint(words) and _PARTS.isdisjoint(pairwise(words))):
         return None
     line = lines.pop()
-    parts = sentences(tokens)
+    parts = _parts(tokens, line)
     for n, part in enumerate(parts if len(parts) > 1 else ()):
         made = _made_of(part, line)
         rest = [token for m, other in enumerate(parts) if m != n for token in other]
@@ -42,11 +46,23 @@ def line_told_behind(tokens: list[Token]) -> list[Token] | None:
     return None
 
 
+def _parts(tokens: list[Token], line: str) -> list[list[Token]]:
+    """The sentences; of a tower that is spoken of, it may be told behind a comma at the end what it is made of."""
+    parts = sentences(tokens)
+    last = parts[-1]
+    for at in (n for n, token in enumerate(last) if n and token.word == ","):
+        ahead = [token.word for token in last[:at]]
+        spoken = line in ahead or not _PARTS.isdisjoint(pairwise(ahead))
+        if spoken and _made_of(last[at + 1 :], line) and last[at + 1].word != "it":
+            return [*parts[:-1], [*last[:at], last[at].saying(".")], last[at + 1 :]]
+    return parts
+
+
 def _made_of(part: list[Token], line: str) -> list[Token]:
     """What a sentence tells the tower to be made of, if it tells no more."""
     words = [token.word for token in part]
     at = behind(words, 0, (("the", line), ("it",), ("this", line), ("that", line), (line,)))
-    of = behind(words, at, _IS_OF) if at else 0
+    of = (behind(words, at, _IS_OF) or at) if at else 0
     told = part[of:-1] if part[-1].word in STOPS else part[of:]
     plain = of and told and told[0].word not in _AT and not any(t.word in _THERE | lexicon.VERB.keys() for t in told)
     return told if plain and any(t.word in lexicon.BLOCK or t.word in lexicon.COLOR for t in told) else []

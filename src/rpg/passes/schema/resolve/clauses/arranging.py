@@ -294,7 +294,7 @@ def _into(theme: Ref, spec: Spec, scene: Scene, scope: Scope) -> tuple[Ref, Goal
                      "keep one of them")  # fmt: skip
     if isinstance(target, Coord):
         sorted_ = [x for x in target.items if isinstance(x, Structure) and x.kind == "pile"]
-        if len(sorted_) == len(target.items):
+        if len(sorted_) == len(target.items) and not any(x.sizes for x in sorted_):
             built_, goals_ = sort_into(theme.names, None, None, spec, scene, scope, target.span)
             return replace(theme, built=tuple(built_)), goals_
         raise refuse("ambiguous", "it is not said which blocks go into which structure", target.span,

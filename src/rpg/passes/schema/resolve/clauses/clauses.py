@@ -34,12 +34,13 @@ from rpg.passes.schema.resolve.clauses.between_two import counted_between
 from rpg.passes.schema.resolve.clauses.company import in_company
 from rpg.passes.schema.resolve.clauses.denials import denied, denied_of_any, denied_once
 from rpg.passes.schema.resolve.clauses.heights_bounded import bounded_heights
+from rpg.passes.schema.resolve.clauses.in_sequence import in_sequence
 from rpg.passes.schema.resolve.clauses.leftovers import nothing_left
 from rpg.passes.schema.resolve.clauses.numbers_compared import compared_numbers
 from rpg.passes.schema.resolve.clauses.one_or_all import place_of_which, with_its_noun
 from rpg.passes.schema.resolve.clauses.out_of_line import out_of_line
 from rpg.passes.schema.resolve.clauses.shaped import all_it_has, shaped
-from rpg.passes.schema.resolve.clauses.sorting import by_kinds, in_sequence, sort
+from rpg.passes.schema.resolve.clauses.sorting import by_kinds, sort
 from rpg.passes.schema.resolve.clauses.spec import Spec, check_built, sort_adjuncts
 from rpg.passes.schema.resolve.clauses.spelled import spell
 from rpg.passes.schema.resolve.clauses.spread_out import spread_out

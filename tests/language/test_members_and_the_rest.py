@@ -30,3 +30,11 @@ def test_members(text: str, goals: str) -> None:
 
 def test_ranks_are_no_remainder() -> None:
     assert code_of("Two red blocks are on the first patch, the third block is on the table.") == "no-referent"
+
+
+def test_one_of_those_that_are_there() -> None:
+    told = means("Two red blocks and a blue one: one red is on the blue one and the other red is beside it.")
+    assert "There are two red blocks and a blue block. A red block must be on the blue block." in told.replace(
+        "\n", " "
+    )
+    assert "The other red block must be next to the blue block." in told

@@ -33,7 +33,7 @@ def test_ranks_are_no_remainder() -> None:
 
 
 def test_one_of_those_that_are_there() -> None:
-    told = means("Two red blocks and a blue one: one red is on the blue one and the other red is beside it.")
+    told = means("Two red blocks and a blue one: one red is on the blue one and the other red is beside it.").replace("\n", " ")
     assert "There are two red blocks and a blue block. A red block must be on the blue block." in told.replace(
         "\n", " "
     )

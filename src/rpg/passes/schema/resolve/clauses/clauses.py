@@ -25,7 +25,7 @@ from rpg.language.meaning import (
     Structure,
     replace,
 )
-from rpg.passes.schema.resolve.clauses import turning, turns
+from rpg.passes.schema.resolve.clauses import in_sequence, turning, turns
 from rpg.passes.schema.resolve.clauses.ahead import ahead, by_verb
 from rpg.passes.schema.resolve.clauses.appearance import appear
 from rpg.passes.schema.resolve.clauses.arranging import arrange_blocks, counted
@@ -34,7 +34,6 @@ from rpg.passes.schema.resolve.clauses.between_two import counted_between
 from rpg.passes.schema.resolve.clauses.company import in_company
 from rpg.passes.schema.resolve.clauses.denials import denied, denied_of_any, denied_once
 from rpg.passes.schema.resolve.clauses.heights_bounded import bounded_heights
-from rpg.passes.schema.resolve.clauses.in_sequence import in_sequence
 from rpg.passes.schema.resolve.clauses.leftovers import nothing_left
 from rpg.passes.schema.resolve.clauses.numbers_compared import compared_numbers
 from rpg.passes.schema.resolve.clauses.one_or_all import place_of_which, with_its_noun
@@ -280,7 +279,7 @@ def _arranged(clause: Clause, said: Meaning, spec: Spec, scene: Scene, scope: Sc
     said = one_for_each_patch(one_for_each_corner(said, spec.places, scene), spec.places, scene)
     theme = refer(counted(said, spec, clause), scene, replace(scope, need_each=2 if shape == "towers" else 1))
     by_sandwiching(clause, spec)
-    in_sequence(clause, theme, spec, scene)
+    in_sequence.in_sequence(clause, theme, spec, scene)
     return arrange_blocks(theme, clause.verb, spec, scene, scope, clause.span)
 
 

@@ -34,6 +34,7 @@ from rpg.language.meaning import (
     parts_of,
     replace,
 )
+from rpg.passes.schema.resolve.clauses.further_ones import check_further_ones
 from rpg.passes.schema.resolve.clauses.order_again import check_borne_again, check_order_again, check_rebuilt
 from rpg.passes.schema.resolve.things.things import matching, quality_fits
 from rpg.passes.schema.resolve.things.world import Built, Scene, Thing, refuse
@@ -71,7 +72,7 @@ def check_words(chains: Sequence[Chain], scene: Scene) -> None:
                 case Clause():
                     check_rebuilt(part, told)
                     _clause(part)
-                    _one_of_those(part)
+                    check_further_ones(part)
                     _wholly(part)
                     _own_parts(part)
                 case Using() | OrderBy() | Absolute():
@@ -124,14 +125,6 @@ def _idle(said: str, told: bool, span: Span, scene: Scene) -> None:
         scene.assume(_VAGUE[sense].format(word))
     elif not told:
         raise _unfit(f"{word!r} speaks of what was so before, and nothing was", span, "say how it starts")
-
-
-def _one_of_those(clause: Clause) -> None:
-    """Refuse "two red blocks and a blue one: one red block is on it" as it stands: one of those, and no further one."""
-    lots = {x.traits for x in parts_of(clause.theme) if isinstance(x, Noun) and x.plural and x.amount}
-    told = [x.theme for x in parts_of(clause.adjuncts) if isinstance(x, Absolute)] if clause.verb == "be" else []
-    if any(isinstance(x, Noun) and x.amount == Amount(1, 1) and x.traits in lots for x in told):
-        raise refuse("ambiguous", "one of these blocks, or a further one?", clause.span, "say 'one of the ...'")
 
 
 def _certain(part: Using | OrderBy | Absolute) -> None:

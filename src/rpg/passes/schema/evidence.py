@@ -84,7 +84,7 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
         if color is not None and color not in colors and not _spelt(token, task):
             yield token
         symbol = token.kind == "word" and len(token.raw) == 1 and token.raw.isupper() and token.raw not in PRONOUNS
-        open_ = token.raw in OPEN and _counts(words[index + 1 : index + 3])
+        open_ = (token.raw in OPEN and _counts(words[index + 1 : index + 3])) or worked_out(words, index, shown)
         if symbol and token.raw not in shown and not open_ and not ("label" in terms and _alphabet(words, index)):
             yield token
         listed = index > 0 and words[index - 1].word in (",", "and")

@@ -35,6 +35,7 @@ from rpg.language.grammar.talk.that_is import that_is
 from rpg.language.grammar.talk.written_rows import rows_in_words
 from rpg.language.introduced import with_names
 from rpg.language.inventories import stocks_ahead, told_behind, told_plainly
+from rpg.language.inventories.symbols_behind import symbols_behind
 from rpg.language.kinds_counted import with_kinds
 from rpg.language.materials import without_materials
 from rpg.language.mats_chosen import mats_chosen
@@ -354,7 +355,7 @@ _PLAINER: tuple[Callable[[list[Token]], tuple[list[Token], list[str]]], ...] = (
 )  # fmt: skip
 """What is put in plain words before the words are looked up, each with notes of what it meant."""
 _OTHERWISE: tuple[Callable[[list[Token]], list[Token] | None], ...] = (
-    shape_ahead, one_by_one, one_or_the_other, one_of_each_color, digits_named, stock_last,
+    shape_ahead, one_by_one, one_or_the_other, one_of_each_color, digits_named, stock_last, symbols_behind,
     line_told_behind, that_is,
 )  # fmt: skip
 """How what makes no sense as it stands is told again, if it is of such a kind."""

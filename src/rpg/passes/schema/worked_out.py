@@ -21,6 +21,8 @@ def worked_out(words: Sequence[Token], index: int, shown: Collection[str]) -> bo
     """Whether what stands there is said for a symbol that the cubes show."""
     if words[index].word == "alphabet":
         return _by_place(words, index, shown)
+    if _in_the_row(words, index):
+        return True
     digits = any(symbol.isdigit() for symbol in shown)
     return digits and (_compared(words, index) or _calculated(words, index, shown))
 
@@ -31,6 +33,16 @@ def _compared(words: Sequence[Token], index: int) -> bool:
     after = [token.word for token in words[index + 1 : index + 3]]
     than = before[1:] == ["than"] and before[0] in _THAN
     return than or before in _BY or (after[:1] in (["or"], ["and"]) and not _OR.isdisjoint(after[1:]))
+
+
+def _in_the_row(words: Sequence[Token], index: int) -> bool:
+    """ "(The digits) below 5", "(the letters) after M"."""
+    before = [token.word for token in words[max(index - 3, 0) : index]]
+    return before[-1:] != [] and before[-1] in _BEYOND and not _SYMBOLS.isdisjoint(before)
+
+
+_BEYOND = frozenset({"below", "under", "above", "over", "after", "before"})
+_SYMBOLS = frozenset({"digits", "numbers", "letters", "come", "coming"})
 
 
 def _calculated(words: Sequence[Token], index: int, shown: Collection[str]) -> bool:

@@ -61,6 +61,7 @@ from rpg.language.grammar.rows.lots_told import LOTS, LOTS_AT_ONCE
 from rpg.language.grammar.rows.lying_there import LYING_THERE_AT_ONCE
 from rpg.language.grammar.rows.mats_hold import MATS_HOLD, MATS_HOLD_AT_ONCE, ON_SOME_MAT
 from rpg.language.grammar.rows.measured_so import MEASURED_SO
+from rpg.language.grammar.rows.members_told import MEMBERS_TOLD
 from rpg.language.grammar.rows.moved_off import MOVED_OFF_AT_ONCE, OFF_ONTO
 from rpg.language.grammar.rows.nominal import NOMINAL, NOMINAL_AT_ONCE
 from rpg.language.grammar.rows.not_at_end import NOT_THERE, NOT_THERE_AT_ONCE, not_at_end
@@ -297,6 +298,7 @@ AT_ONCE, UNREAD, OVER_ALL = (
             *ONE_TOPPED,
             *TOLD_OF_BOTH,
             *ONE_AND_THE_OTHER,
+            *MEMBERS_TOLD,
             *CONTRASTS_ACROSS,
             *BEFORE_AND_AFTER,
             *_LAST_ACROSS,

@@ -1,7 +1,9 @@
-"""Numbers told by how large they are: "the digits greater than 4", "all number cubes of 5 or more"."""
+"""Numbers told by how large they are: "the digits greater than 4", "all number cubes of 5 or more"; and letters by
+where they stand in the alphabet: "the letters after M"."""
 
 from __future__ import annotations
 
+import string
 from collections.abc import Callable
 from operator import ge, gt, le, lt
 
@@ -10,18 +12,27 @@ from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.amounts import length
+from rpg.language.grammar.things.labels import symbol
 from rpg.language.meaning import Noun, replace
 
 _ARE = "that_are|which_are|that_is|which_is"
 _SHOW = "with|showing|bearing|having|that_have|that_has|that_show|which_show|which_have|that_shows"
 _NUMBER = "a|the? number|numbers|digit|digits|value|values"
 _LEADS = (f"{_ARE}? ", f"{_SHOW} {_NUMBER} {_ARE}? ")
-_MORE = Patterns(*(f"{lead}greater|larger|bigger|higher|more than the|number?" for lead in _LEADS))
-_LESS = Patterns(*(f"{lead}smaller|lower|less|littler|fewer than the|number?" for lead in _LEADS))
+_MORE = Patterns(
+    *(f"{lead}greater|larger|bigger|higher|more than the|number?" for lead in _LEADS),
+    *(f"{lead}above|over" for lead in _LEADS),
+)
+_LESS = Patterns(
+    *(f"{lead}smaller|lower|less|littler|fewer than the|number?" for lead in _LEADS),
+    *(f"{lead}below|under" for lead in _LEADS),
+)
 _LEAST = Patterns(*(f"{lead}of? at_least" for lead in _LEADS))
 _MOST = Patterns(*(f"{lead}of? at_most" for lead in _LEADS))
 _PARTED = Patterns(*(f"{lead}divisible by the|number?" for lead in _LEADS))
 _COMPARED = ((_MORE, ">"), (_LESS, "<"), (_LEAST, ">="), (_MOST, "<="), (_PARTED, "|"))
+_COME = "that_come|which_come|coming"
+_AFTER, _BEFORE = Patterns(f"{_COME}? after"), Patterns(f"{_COME}? before")
 _OF = Patterns("of", _ARE, f"{_SHOW} {_NUMBER} of?")
 _OR_MORE = ("or more", "or greater", "or larger", "or bigger", "or higher", "and up", "and more", "and higher",
             "and greater", "and larger", "and bigger", "and upwards")  # fmt: skip
@@ -36,6 +47,9 @@ def by_value(p: Parser, i: int, j: int, noun: Noun) -> Results[Noun]:
     """The noun from i on, which ends before j, with what follows it of its numbers; cubes that are not said to be
     number cubes are "with a number greater than 4"."""
     marks = noun.traits
+    if marks.kind == "letter" and noun.plural and not marks.labels and noun.part_of is None and not marks.quality:
+        for letters, end in _in_alphabet(p, j):
+            yield replace(noun, traits=replace(marks, quality=letters), span=p.span(i, end)), end
     if noun.head == "patch" or marks.labels or noun.part_of is not None or marks.kind not in (None, "digit"):
         return
     if marks.kind is None and noun.head == "block" and not p.stands(j, _SHOWING):
@@ -59,6 +73,19 @@ def _told(p: Parser, j: int) -> Results[str]:
         for told, sign in ((_OR_MORE, ">="), (_OR_LESS, "<=")) if many is not None else ():
             if end := p.any_of(k + 1, told):
                 yield digits_that(sign, many or 0), end
+
+
+def _in_alphabet(p: Parser, j: int) -> Results[str]:
+    """ "(the letters) after M", "that come before M"; "(stack the letters) after A is on the mat" is told of a time."""
+    for patterns, sign in ((_AFTER, ">"), (_BEFORE, "<")):
+        for k in patterns.matches(p, j):
+            shown = symbol(p, k)
+            if shown is not None and shown.isalpha() and not p.stands(k + 1, _HAPPENS):
+                told = "".join(letter for letter in string.ascii_uppercase if _SO[sign](ord(letter), ord(shown)))
+                yield told, k + 1
+
+
+_HAPPENS = frozenset({"is", "has", "was", "and"})
 
 
 def _measured(p: Parser, k: int) -> bool:

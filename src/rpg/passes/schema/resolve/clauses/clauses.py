@@ -25,7 +25,7 @@ from rpg.language.meaning import (
     Structure,
     replace,
 )
-from rpg.passes.schema.resolve.clauses import turning, turns
+from rpg.passes.schema.resolve.clauses import in_sequence, turning, turns
 from rpg.passes.schema.resolve.clauses.ahead import ahead, by_verb
 from rpg.passes.schema.resolve.clauses.appearance import appear
 from rpg.passes.schema.resolve.clauses.arranging import arrange_blocks, counted
@@ -39,7 +39,7 @@ from rpg.passes.schema.resolve.clauses.numbers_compared import compared_numbers
 from rpg.passes.schema.resolve.clauses.one_or_all import place_of_which, with_its_noun
 from rpg.passes.schema.resolve.clauses.out_of_line import out_of_line
 from rpg.passes.schema.resolve.clauses.shaped import all_it_has, shaped
-from rpg.passes.schema.resolve.clauses.sorting import by_kinds, in_sequence, sort
+from rpg.passes.schema.resolve.clauses.sorting import by_kinds, sort
 from rpg.passes.schema.resolve.clauses.spec import Spec, check_built, sort_adjuncts
 from rpg.passes.schema.resolve.clauses.spelled import spell
 from rpg.passes.schema.resolve.clauses.spread_out import spread_out
@@ -279,7 +279,7 @@ def _arranged(clause: Clause, said: Meaning, spec: Spec, scene: Scene, scope: Sc
     said = one_for_each_patch(one_for_each_corner(said, spec.places, scene), spec.places, scene)
     theme = refer(counted(said, spec, clause), scene, replace(scope, need_each=2 if shape == "towers" else 1))
     by_sandwiching(clause, spec)
-    in_sequence(clause, theme, spec, scene)
+    in_sequence.in_sequence(clause, theme, spec, scene)
     return arrange_blocks(theme, clause.verb, spec, scene, scope, clause.span)
 
 

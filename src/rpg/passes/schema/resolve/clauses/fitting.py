@@ -34,6 +34,7 @@ from rpg.language.meaning import (
     parts_of,
     replace,
 )
+from rpg.passes.schema.resolve.clauses.further_ones import check_further_ones
 from rpg.passes.schema.resolve.clauses.order_again import check_borne_again, check_order_again, check_rebuilt
 from rpg.passes.schema.resolve.things.things import matching, quality_fits
 from rpg.passes.schema.resolve.things.world import Built, Scene, Thing, refuse
@@ -71,6 +72,7 @@ def check_words(chains: Sequence[Chain], scene: Scene) -> None:
                 case Clause():
                     check_rebuilt(part, told)
                     _clause(part)
+                    check_further_ones(part)
                     _wholly(part)
                     _own_parts(part)
                 case Using() | OrderBy() | Absolute():

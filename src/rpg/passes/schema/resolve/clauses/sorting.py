@@ -23,6 +23,7 @@ from rpg.language.meaning import (
     replace,
 )
 from rpg.passes.schema.resolve.clauses.arranging import arrange_blocks, counted
+from rpg.passes.schema.resolve.clauses.in_sequence import in_sequence
 from rpg.passes.schema.resolve.clauses.shaped import shaped
 from rpg.passes.schema.resolve.clauses.sides_told import of_told_kinds
 from rpg.passes.schema.resolve.clauses.spec import Spec, sort_adjuncts
@@ -276,18 +277,6 @@ def _check_repeated(theme: Ref, clause: Clause, spec: Spec, scene: Scene) -> Non
     labels = [scene.things[n].label for n in theme.names]
     if clause.lemma in GATHERS and any(o.by == "label" for o in spec.orders) and len(set(labels)) < len(labels):
         raise refuse("misplaced", "blocks that show the same are grouped, not put in order", clause.span)
-
-
-def in_sequence(clause: Clause, theme: Ref, spec: Spec, scene: Scene) -> None:
-    """ "sort 3, 1 and 2 from left to right": by their numbers, not as they are listed."""
-    labels = [scene.things[n].label or "" for n in theme.names]
-    if spec.orders or clause.lemma not in ("sort", "order") or len(labels) < 2 or not all(labels):
-        return
-    if labels == sorted(labels) and not any(scene.things[n].elastic for n in theme.names):
-        return
-    if clause.lemma == "order":
-        raise refuse("ambiguous", "as they are listed, or by what they show?", clause.span, "say 'in ascending order'")
-    spec.orders.append(OrderBy(by="ascending", span=clause.word or clause.span))
 
 
 def _one_pile(spec: Spec) -> bool:

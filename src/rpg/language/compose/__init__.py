@@ -1,0 +1,65 @@
+"""A third reader: noun phrases, places and clauses with a meaning each, put together in any way.
+
+The grammar and the families read what they know. What both refuse is parsed here by a small grammar in which every
+rule is general: any noun phrase may stand wherever one fits (`phrases`, `clauses`). What a way to read the text means
+is worked out against a scene of blocks, figures and patches (`nouns`, `statements`), which is then told in plain
+sentences (`telling`) that the grammar reads and everything behind it checks. Every word has to be read, and all ways
+to read a text that make sense have to come to the same sentences; else there is no reading.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from dataclasses import replace
+from itertools import islice
+
+from rpg.language.compose.clauses import Reader
+from rpg.language.compose.items import FIGURE, items_of
+from rpg.language.compose.scene import Scene, Unclear
+from rpg.language.compose.statements import say
+from rpg.language.compose.syntax import Clause, Noun, Phrase
+from rpg.language.compose.telling import tell
+from rpg.language.tokens import Token, tokenize
+
+_MOST = 300
+"""So many ways to read a text are looked at; one with more of them is not read."""
+
+
+def composed(tokens: Sequence[Token]) -> Iterator[tuple[list[Token], str]]:
+    """The text in plain sentences, and the words of that, if all ways to read it come to the same."""
+    told = meanings(tokens)
+    if len(told) == 1:
+        said, _ = tokenize(told[0])
+        yield [replace(token, span=tokens[0].span) for token in said], told[0]
+
+
+def meanings(tokens: Sequence[Token]) -> list[str]:
+    """All that a text can mean, each in plain sentences."""
+    items = items_of(tokens)
+    if not items:
+        return []
+    ways = list(islice(Reader(items).readings(), _MOST + 1))
+    if len(ways) > _MOST:
+        return []
+    found: dict[str, None] = {}
+    for way in ways:
+        scene = Scene()
+        with suppress(Unclear):
+            _check_in_time(way)
+            for clause in way:
+                say(scene, clause)
+            found[tell(scene)] = None
+    return list(found)
+
+
+def _check_in_time(way: Sequence[Clause]) -> None:
+    """What is told to be so, or to be there, ahead of a command to move something may be so at the start alone."""
+    moved = [n for n, clause in enumerate(way) if clause.mood == "put"]
+    for clause in way[: moved[-1]] if moved else ():
+        if clause.mood == "so" or (clause.mood == "there" and (clause.predicates or _is_figure(clause.subject))):
+            raise Unclear
+
+
+def _is_figure(phrase: Phrase) -> bool:
+    return isinstance(phrase, Noun) and phrase.noun in FIGURE.values()

@@ -1,0 +1,264 @@
+"""The clauses of a text: commands, statements, and what is told without a verb; all ways to read the whole."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from rpg.language.compose.items import FIGURE
+from rpg.language.compose.phrases import Phrases, Ways, remembered
+from rpg.language.compose.syntax import Bears, Clause, Looks, Made, Noun, Phrase, Place, Predicate, Pronoun
+
+_LEADS = (
+    "i want you to", "i want to see", "i would like you to", "i would like to see", "i would like", "i should like",
+    "i want", "i need", "we need", "we want", "i would love", "you have", "you got", "we have", "i have", "there is",
+    "there are", "there should be", "there must be", "give me", "gimme", "let us have", "let me see", "let there be",
+    "can you", "could you", "would you", "will you", "show me", "get me", "let us", "let", "try to", "the goal is to",
+    "the task is to", "you should", "hey", "yo", "hi", "hello", "goal :", "task :", "goal", "make sure that",
+    "make sure", "see to it that", "make it so that", "need", "at the end", "in the end", "finally",
+    "i have got", "you have got", "got", "have", "u got", "here is", "here are", "take", "use", "we got",
+)  # fmt: skip
+_BUILD = frozenset(
+    [
+        "build",
+        "make",
+        "construct",
+        "create",
+        "form",
+        "assemble",
+        "lay",
+        "arrange",
+        "set",
+        "erect",
+        "produce",
+        "prepare",
+        "put",
+        "stack",
+        "stand",
+        "place",
+        "raise",
+        "draw",
+        "compose",
+    ]
+)
+_BUILD_ME = ("me", "up", "out", "down", "together")
+_PUT = frozenset(
+    [
+        "put",
+        "place",
+        "set",
+        "move",
+        "lay",
+        "stand",
+        "bring",
+        "position",
+        "leave",
+        "keep",
+        "add",
+        "stack",
+        "get",
+        "drop",
+        "rest",
+        "slide",
+        "push",
+        "shift",
+        "transfer",
+        "pile",
+        "seat",
+        "sit",
+    ]
+)
+_STACK = frozenset({"stack", "pile"})
+_TOWER = Noun(det="a", noun="tower")
+_INTO = ("as", "in", "into", "in the shape of", "out as")
+_THERE = ("there is", "there are", "you have", "we have", "i have", "here is", "here are")
+_AUX = (
+    "must", "should", "shall", "has to", "have to", "needs to", "need to", "is to", "are to", "may", "can", "will",
+    "ought to", "is supposed to", "are supposed to", "does", "do",
+)  # fmt: skip
+_BE = (
+    "be", "is", "are", "sits", "sit", "stands", "stand", "lies", "lie", "rests", "rest", "goes", "go", "belongs",
+    "belong", "stays", "stay", "remains", "remain", "is placed", "are placed", "be placed", "be put", "is put",
+    "are put", "is located", "are located", "be located", "be built", "is built", "are built", "is positioned",
+    "be positioned", "is stacked", "are stacked", "be stacked", "is set", "be set", "ends up", "end up", "comes",
+    "come", "is sitting", "is standing", "is lying", "are standing", "are lying", "are sitting", "is found",
+    "is to be placed", "are to be placed", "be left", "gets put", "get put", "be stood", "be laid", "is laid",
+    "gets placed", "is resting", "are resting", "leans", "standing", "sitting", "lying", "resting", "placed", "located",
+)  # fmt: skip
+_FORM = ("form", "forms", "make", "makes", "become", "becomes", "make up", "makes up", "build", "constitute",
+         "are arranged in", "are arranged as", "is arranged in", "are arranged into", "be arranged in",
+         "be arranged as", "are in", "be in", "stand in", "lie in", "go in", "go into", "are stacked into",
+         "stacked into", "turn into", "are built into", "is", "are")  # fmt: skip
+_BEAR = ("carry", "carries", "support", "supports", "bear", "bears", "has", "have", "get", "gets", "hold", "holds",
+         "with", "having", "carrying", "bearing", "supporting", "holding")  # fmt: skip
+_SEPARATORS = (
+    ", and then there is", ", and there is", ", and", ", but", ", while", ", with", ", plus", ", whereas", ", so that",
+    "; and", ", leaving", ",", ";", ".", "!", "?", ":", "and", "but", "while", "plus", "with", "whereas", "so that",
+)  # fmt: skip
+
+
+class Reader(Phrases):
+    """Reads the clauses of a text."""
+
+    def readings(self) -> Iterator[tuple[Clause, ...]]:
+        """All ways to read the whole text, those with the longest first clauses first."""
+        yield from self._from(0)
+
+    def _from(self, at: int) -> Iterator[tuple[Clause, ...]]:
+        while self.text(at) in {".", "!", "?", ",", ";"}:
+            at += 1
+        if at >= len(self.items):
+            yield ()
+            return
+        for clause, end in sorted(self.clause(at), key=lambda way: -way[1]):
+            for start in self._behind_clause(end):
+                for rest in self._from(start):
+                    yield (clause, *rest)
+
+    def _behind_clause(self, at: int) -> Iterator[int]:
+        """Where another clause may begin."""
+        if at >= len(self.items):
+            yield at
+            return
+        ends = {self.past_any(at, way) for way in _SEPARATORS} - {0}
+        yield from sorted(ends, reverse=True)
+
+    @remembered
+    def clause(self, at: int) -> Ways[Clause]:
+        """One clause; one that says several things at once is told as several."""
+        found: Ways[Clause] = []
+        for start in self._leads(at):
+            there = any(self.past(at, lead.split()) == start for lead in _THERE)
+            found += self._command(start)
+            found += [(Clause(*said), end) for said, end in self._statement(start)]
+            found += [(Clause(what, said, "there" if there else ""), end) for what, said, end in self._existing(start)]
+        if end := self.past_any(at, "nothing on", "nothing on top of", "nothing is on", "nothing may be on"):
+            found += [(Clause(what, (Bears(None),)), stop) for what, stop in self.phrase(end)]
+        return found
+
+    def _leads(self, at: int) -> list[int]:
+        """Where the clause itself may begin."""
+        starts, new = [at], [at]
+        while new:
+            behind = {self.past_any(start, lead, f"{lead} ,") for start in new for lead in _LEADS} - {0}
+            new = sorted(behind - set(starts))
+            starts += new
+        return starts
+
+    def _command(self, at: int) -> Ways[Clause]:
+        no = self.past_any(at, "do not", "never")
+        verb = self.text(no or at)
+        start = self.past_any((no or at) + 1, *_BUILD_ME) or (no or at) + 1
+        found: Ways[Clause] = []
+        if verb in _BUILD and not no:
+            found += self._built(start)
+        if verb in _PUT or verb in _BUILD:
+            for what, end in self.phrase(start):
+                for said, stop in self._predicates(end):
+                    if isinstance(said[0], Place):
+                        stacked = (Made(_TOWER), *said) if verb in _STACK and said[0].relation == "on" else said
+                        found += [(Clause(what, way, "put"), stop) for way in {said, stacked}]
+        if verb in _STACK and not no:
+            found += [(Clause(what, (Made(_TOWER),), "build"), end) for what, end in self.phrase(start)]
+        if no:
+            denied = [(replace(c, predicates=tuple(_denied(p) for p in c.predicates)), end) for c, end in found]
+            found = [(clause, end) for clause, end in denied if len(clause.predicates) == 1]
+        return found
+
+    def _built(self, start: int) -> Ways[Clause]:
+        """What is to be built, with what is said of it, or of what it is built."""
+        found: Ways[Clause] = []
+        for what, end in self.phrase(start):
+            found.append((Clause(what, (), "build"), end))
+            found += [(Clause(what, said, "build"), stop) for said, stop in self._rest(end)]
+            for into in {self.past_any(end, way) for way in _INTO} - {0}:
+                for figure, stop in self.single(into):
+                    if isinstance(figure, Noun) and figure.noun in FIGURE.values():
+                        found.append((Clause(what, (Made(figure),), "build"), stop))
+                        found += [
+                            (Clause(what, (Made(figure), *said), "build"), last) for said, last in self._rest(stop)
+                        ]
+        return found
+
+    def _existing(self, at: int) -> list[tuple[Phrase, tuple[Predicate, ...], int]]:
+        """What is told without a verb: "a tower of two on the patch"."""
+        found: list[tuple[Phrase, tuple[Predicate, ...], int]] = []
+        for what, end in self.phrase(at):
+            found.append((what, (), end))
+            found += [(what, said, stop) for said, stop in self._rest(end)]
+        return found
+
+    def _statement(self, at: int) -> Ways[tuple[Phrase, tuple[Predicate, ...], str]]:
+        return [
+            ((what, said, "must" if self.past_any(stop, *_AUX, "not") else "so"), end)
+            for what, stop in self.phrase(at)
+            for said, end in self._verbs(stop)
+        ]
+
+    def _rest(self, at: int) -> Ways[tuple[Predicate, ...]]:
+        """What may be said of a thing that is told of without a verb, or behind a comma."""
+        start = self.past_any(at, ", which") or at
+        return [*self._predicates(start), *self._verbs(start)]
+
+    @remembered
+    def _predicates(self, at: int) -> Ways[tuple[Predicate, ...]]:
+        """Places, one after the other: "on the patch and left of A", "off the mat but not on the table"."""
+        found: Ways[tuple[Predicate, ...]] = []
+        for place, end in self.place(at):
+            found.append(((place,), end))
+            ways = {self.past_any(end, way) for way in ("and", "but", ", but", ", and", ",")} - {0}
+            for start in ways:
+                found += [((place, *more), stop) for more, stop in (*self._predicates(start), *self._verbs(start))]
+        return found
+
+    @remembered
+    def _verbs(self, at: int) -> Ways[tuple[Predicate, ...]]:
+        """A verb with what belongs to it, and more of such."""
+        found: Ways[tuple[Predicate, ...]] = []
+        for said, end in self._verb(at):
+            found.append((said, end))
+            for start in {self.past_any(end, way) for way in ("and", "but", ", but", ", and")} - {0}:
+                found += [((*said, *more), stop) for more, stop in self._verbs(start)]
+        return found
+
+    def _verb(self, at: int) -> Ways[tuple[Predicate, ...]]:
+        found: Ways[tuple[Predicate, ...]] = []
+        aux = self.past_any(at, *_AUX) or at
+        no = self.past_any(aux, "not", "never") or aux
+        denied = no > aux
+        start = no + (self.text(no) in {"both", "all"})
+        for end in {self.past_any(start, way) for way in _BE} - {0}:
+            end = end + (self.text(end) in {"both", "all"})
+            not_there = self.past_any(end, "not", "never") or end
+            here = [way for way in self._predicates(not_there)]
+            here += [((Looks(like),), stop) for like, stop in self.single(not_there)]
+            found += [
+                (said if not denied and not_there == end else (_denied(said[0]), *said[1:]), stop)
+                for said, stop in here
+            ]
+        for end in {self.past_any(start, way) for way in _FORM} - {0}:
+            for figure, stop in self.single(end):
+                if isinstance(figure, Noun) and figure.noun in FIGURE.values() and not denied:
+                    found.append(((Made(figure),), stop))
+                    that = self.past_any(stop, "that", "which") or stop
+                    found += [((Made(figure), *more), last) for more, last in self._rest(that)]
+        for end in {self.past_any(start, way) for way in _BEAR} - {0}:
+            if nothing := self.past_any(end, "nothing on top", "nothing on it", "nothing"):
+                found.append(((Bears(None),), nothing))
+            if denied:
+                continue
+            for what, stop in self.phrase(end):
+                found.append(((Bears(what),), stop))
+                found += [((Bears(what, place),), last) for place, last in self.place(stop)]
+        if end := self.past_any(start, "touch", "touches", "touching"):
+            found += [((Place("touch", of, no=denied),), stop) for of, stop in self.phrase(end)]
+            if each := self.past_any(end, "each other", "one another"):
+                found.append(((Place("touching", no=denied),), each))
+        return found
+
+
+def _denied(said: Predicate) -> Predicate:
+    """The opposite of what is said; what forms or looks so is not denied here."""
+    if isinstance(said, Place):
+        return replace(said, no=not said.no)
+    return Looks(Pronoun("not"))

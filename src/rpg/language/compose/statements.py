@@ -1,0 +1,358 @@
+"""What the clauses of a text say of what they speak of."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import combinations
+
+from rpg.language.compose.nouns import resolve
+from rpg.language.compose.places_of import places
+from rpg.language.compose.scene import Fact, Figure, Ref, Scene, Unclear
+from rpg.language.compose.syntax import Bears, Both, Chain, Clause, Looks, Made, Noun, Phrase, Place, Predicate, Pronoun
+
+_SIDES = {"left": "to the left of", "right": "to the right of", "front": "in front of", "behind": "behind"}
+_RELATIONS = {**_SIDES, "next": "next to", "near": "near"}
+_BARE_PLACES = frozenset({"top", "bottom", "middle", "left", "right", "front", "behind"})
+_FIRST_ROW = {"left": ("left",), "right": ("right",), "middle": ("middle",)}
+
+
+def say(scene: Scene, clause: Clause) -> None:
+    """Puts what a clause says into the scene. Raises Unclear where it does not say it clearly."""
+    scene.next_clause()
+    subject = clause.subject
+    if isinstance(subject, Chain):
+        if clause.predicates:
+            raise Unclear
+        _stacked(scene, subject)
+        return
+    if _each_of_a_new_one(subject, clause.predicates):
+        _one_for_each(scene, subject, clause.predicates[0])
+        return
+    ref = resolve(scene, subject)
+    if not clause.predicates:
+        _there_is(scene, ref)
+    for said in clause.predicates:
+        _said(scene, ref, said)
+    if clause.predicates and ref.kind == "block":
+        scene.used.update(ref.ids)
+
+
+def _there_is(scene: Scene, ref: Ref) -> None:
+    """Blocks that are told of by themselves are those that the rest of the text is about."""
+    if not ref.fresh or ref.kind not in {"block", "figure"}:
+        raise Unclear
+    if ref.kind == "block":
+        lots: dict[tuple[str, str, int], list[int]] = {}
+        for n in ref.ids:
+            lots.setdefault(scene.blocks[n].look, []).append(n)
+        for lot in lots.values():
+            scene.stock.append(lot)
+        if len(lots) == 1:
+            scene.whole, scene.taken = list(ref.ids), []
+
+
+def _stacked(scene: Scene, chain: Chain) -> None:
+    """ "blue over red": each on the next one."""
+    refs = [resolve(scene, part) for part in chain.parts]
+    if any(ref.kind != "block" or len(ref.ids) != 1 for ref in refs):
+        raise Unclear
+    for upper, lower in zip(refs, refs[1:], strict=False):
+        _on(scene, upper, lower, "on", no=False)
+    if len(refs) == 2:
+        figure = Figure("tower", [refs[1].ids[0], refs[0].ids[0]], told=True)
+        if not any(set(figure.blocks) & set(f.blocks) for f in scene.figures):
+            figure.kind = "chain"
+    for ref in refs:
+        scene.used.update(ref.ids)
+
+
+def _each_of_a_new_one(subject: Phrase, said: Sequence[Predicate]) -> bool:
+    """Whether there is a further one for each of those that it is put on."""
+    if len(said) != 1 or not isinstance(said[0], Place) or said[0].no:
+        return False
+    target = said[0].of
+    return (
+        isinstance(subject, Noun) and subject.det in {"a", "another"} and not subject.many and subject.count < 2
+        and isinstance(target, Noun) and target.det in {"each", "both", "all"}
+    )  # fmt: skip
+
+
+def _one_for_each(scene: Scene, subject: Phrase, said: Predicate) -> None:
+    """ "a white block on each end": as many white blocks as there are ends."""
+    assert isinstance(said, Place) and said.of is not None and isinstance(subject, Noun)
+    target = resolve(scene, said.of)
+    if said.relation not in {"on", "next", *_SIDES} or target.no or target.bound:
+        raise Unclear
+    for n in target.ids:
+        one = resolve(scene, replace(subject, det="a"))
+        if not one.fresh:
+            raise Unclear
+        _place(scene, one, Ref(target.kind, [n]), said)
+        scene.used.update(one.ids)
+
+
+def _said(scene: Scene, ref: Ref, said: Predicate) -> None:
+    if isinstance(said, Place) and said.no and (ref.each or ref.no):
+        raise Unclear
+    if isinstance(said, Place) and said.no and isinstance(said.of, Noun) and said.of.det in {"each", "all", "both"}:
+        raise Unclear
+    if ref.no:
+        if not isinstance(said, Place) or said.of is None:
+            raise Unclear
+        said, ref = replace(said, no=not said.no), replace(ref, no=False)
+    if isinstance(said, Made):
+        _forms(scene, ref, said.figure)
+    elif isinstance(said, Looks):
+        _looks(scene, ref, said.like)
+    elif isinstance(said, Bears):
+        _bears(scene, ref, said)
+    elif said.of is None:
+        _bare(scene, ref, said)
+    else:
+        of = said.of
+        if said.relation == "between":
+            _between(scene, ref, of, said)
+            return
+        if isinstance(of, Noun) and of.det == "another":
+            raise Unclear
+        target = resolve(scene, of)
+        if target.fresh and target.kind == "block" and (ref.each or len(ref.ids) > len(target.ids)):
+            raise Unclear  # one for each, or one for all
+        _place(scene, ref, target, said)
+
+
+def _forms(scene: Scene, ref: Ref, phrase: Phrase) -> None:
+    """These blocks form a figure."""
+    if ref.kind != "block" or not isinstance(phrase, Noun) or phrase.content is not None or ref.each or ref.bound:
+        raise Unclear
+    if phrase.count > 1 or phrase.det not in {"a", ""} or phrase.color:
+        raise Unclear
+    made = replace(phrase, det="a", content=Pronoun("them"))
+    here, scene.here = scene.here, [Ref("block", ref.ids)]
+    resolve(scene, made)
+    scene.here = [*here, *scene.here[1:]]
+
+
+def _looks(scene: Scene, ref: Ref, like: Phrase) -> None:
+    """These blocks are of a colour: blocks of which nothing was said of how they look."""
+    if not isinstance(like, Noun) or not like.color or like.noun not in {"", "block", "one"} or like.count > 1:
+        raise Unclear
+    if ref.kind == "figure":
+        ref = Ref("block", [n for at in ref.ids for n in scene.figures[at].blocks])
+    if ref.kind != "block" or ref.bound:
+        raise Unclear
+    for n in ref.ids:
+        block = scene.blocks[n]
+        if block.label or block.color not in {"", like.color}:
+            raise Unclear
+        block.color = like.color
+
+
+def _bears(scene: Scene, ref: Ref, said: Bears) -> None:
+    """Something lies on it, or nothing does."""
+    if said.what is None:
+        for n in _tops(scene, ref):
+            scene.facts.append(Fact(Ref("block", [n]), "clear"))
+        return
+    if said.place is not None and said.place.relation != "top":
+        if said.place.of is None:
+            raise Unclear
+        what = resolve(scene, said.what)
+        _place(scene, what, resolve(scene, said.place.of), said.place)
+        return
+    tops = _tops(scene, ref)
+    if isinstance(said.what, Noun) and said.what.det in {"a", "each"} and len(tops) > 1:
+        for n in tops:
+            one = resolve(scene, replace(said.what, det="a"))
+            _on(scene, one, Ref("block", [n]), "on", no=False)
+        return
+    _on(scene, resolve(scene, said.what), Ref("block", tops), "on", no=False)
+
+
+def _tops(scene: Scene, ref: Ref) -> list[int]:
+    """The blocks that something lies on when it lies on these."""
+    if ref.kind == "block" and not ref.bound:
+        return ref.ids
+    if ref.kind != "figure":
+        raise Unclear
+    tops = []
+    for at in ref.ids:
+        figure = scene.figures[at]
+        if figure.kind != "tower":
+            raise Unclear
+        scene.settle(figure)
+        tops.append(figure.blocks[-1])
+    return tops
+
+
+def _bare(scene: Scene, ref: Ref, said: Place) -> None:
+    """A place that is told without what it is a place of."""
+    name = said.relation
+    if name in {"free", "table", "flat"} and ref.kind == "block" and not ref.bound:
+        word = {"free": "clear", "table": "table", "flat": "table"}[name]
+        if said.no:
+            raise Unclear
+        scene.facts += [Fact(Ref("block", [n]), word) for n in ref.ids]
+    elif name in {"side by side", "touching", "apart"} and not ref.each and not ref.bound:
+        if len(ref.ids) != 2 and (name != "apart" and not said.no):
+            raise Unclear
+        word = {"side by side": "next to", "touching": "touch", "apart": "apart"}[name]
+        scene.facts += [
+            Fact(Ref(ref.kind, [a]), word, Ref(ref.kind, [b]), no=said.no) for a, b in combinations(ref.ids, 2)
+        ]
+    elif name in _BARE_PLACES and not said.no:
+        _in_figure(scene, ref, name)
+    else:
+        raise Unclear
+
+
+def _in_figure(scene: Scene, ref: Ref, name: str) -> None:
+    """ "on top", "at the left end": in the figure that was spoken of, if it is one of its blocks; else on or beside."""
+    spoken = [r for refs in (scene.here, scene.before) for r in refs if r.kind == "figure" and r is not ref]
+    last = spoken[0] if spoken else None
+    if last is not None and any(scene.blocks[n].look[2] for at in last.ids for n in scene.figures[at].blocks):
+        raise Unclear  # it may be one of its blocks
+    if last is None or len(last.ids) != 1 or ref.kind == "table":
+        raise Unclear
+    figure = scene.figures[last.ids[0]]
+    if ref.kind == "block" and set(ref.ids) <= set(figure.blocks) and len(ref.ids) == 1:
+        at = places(figure, (name,))
+        if len(at) != 1 or figure.told or figure.placed.get(at[0], ref.ids[0]) != ref.ids[0]:
+            raise Unclear
+        figure.placed[at[0]] = ref.ids[0]
+        figure.sided |= name in {"left", "right"}
+        return
+    if name == "top" and ref.kind == "block":
+        _on(scene, ref, Ref("block", _tops(scene, last)), "on", no=False)
+    elif name in _SIDES:
+        scene.facts.append(Fact(ref, _SIDES[name], last))
+    else:
+        raise Unclear
+
+
+def _between(scene: Scene, ref: Ref, of: Phrase, said: Place) -> None:
+    """Between two things, told one by one or as two."""
+    if isinstance(of, Both) and len(of.parts) == 2:
+        first, second = (resolve(scene, part) for part in of.parts)
+    else:
+        both = resolve(scene, of)
+        if len(both.ids) != 2:
+            raise Unclear
+        first, second = (Ref(both.kind, [n]) for n in both.ids)
+    if said.no or said.cm or ref.bound or first.kind == "patch" or second.kind == "patch":
+        raise Unclear
+    scene.facts.append(Fact(ref, "between", first, second))
+
+
+def _place(scene: Scene, ref: Ref, target: Ref, said: Place) -> None:
+    """A relation to something that is told."""
+    name = said.relation
+    if target.no:
+        said, target = replace(said, no=not said.no), replace(target, no=False)
+    if ref.kind in {"patch", "table"} or target.bound:
+        raise Unclear
+    if name in {"in", "on"} and target.kind == "patch":
+        _on_patch(scene, ref, target, no=said.no)
+    elif name == "off" and target.kind == "patch":
+        _on_patch(scene, ref, target, no=not said.no)
+    elif name in {"off", "in", "opposite"}:
+        raise Unclear
+    elif name == "on" and target.kind == "table":
+        if ref.kind != "block" or said.no:
+            raise Unclear
+        scene.facts += [Fact(Ref("block", [n]), "table") for n in ref.ids]
+    elif name == "under":
+        if ref.kind != "block" or len(ref.ids) != 1 or said.how == "somewhere":
+            raise Unclear
+        _on(scene, target, ref, "on", no=said.no)
+    elif name == "on":
+        _on(scene, ref, target, "somewhere above" if said.how == "somewhere" else "on", no=said.no)
+    else:
+        _beside(scene, ref, target, said)
+
+
+def _on_patch(scene: Scene, ref: Ref, target: Ref, *, no: bool) -> None:
+    if len(target.ids) != 1 or (ref.bound and no) or ref.bound == "most":
+        raise Unclear
+    if ref.kind == "figure":
+        for at in ref.ids:
+            scene.facts.append(Fact(Ref("block", scene.figures[at].blocks), "patch", target, no=no))
+        return
+    if no:
+        scene.facts += [Fact(Ref("block", [n]), "patch", target, no=True) for n in ref.ids]
+    else:
+        scene.facts.append(Fact(Ref("block", ref.ids), "patch", target))
+    scene.facts += [Fact(Ref("block", [n]), "patch", target, no=True) for n in ref.rest]
+
+
+def _on(scene: Scene, ref: Ref, target: Ref, word: str, *, no: bool) -> None:
+    """One on one, or one on each of as many."""
+    if target.kind == "figure" or (target.kind == "block" and len(target.ids) > 1 and len(ref.ids) == 1):
+        target = Ref("block", _tops(scene, target))
+    upper = ref.ids
+    if ref.kind == "figure":
+        upper = []
+        for at in ref.ids:
+            scene.settle(scene.figures[at])
+            upper.append(scene.figures[at].blocks[0])
+    if target.kind != "block" or ref.bound in {"exactly", "most", "least"} or len(upper) != len(target.ids):
+        raise Unclear
+    if no and len(upper) > 1:
+        raise Unclear
+    if len(upper) > 1 and not (scene.alike(upper) or scene.alike(target.ids)):
+        raise Unclear
+    if any(n in scene.used for n in upper) and len(upper) > 1:
+        raise Unclear
+    scene.facts += [
+        Fact(Ref("block", [a]), word, Ref("block", [b]), no=no) for a, b in zip(upper, target.ids, strict=True)
+    ]
+
+
+def _beside(scene: Scene, ref: Ref, target: Ref, said: Place) -> None:
+    """Sides, distances, touch."""
+    if ref.bound or target.kind == "table":
+        raise Unclear
+    some = (
+        [Ref(ref.kind, [n]) for n in ref.ids]
+        if ref.each or said.no or said.relation in {"touch", "apart", "far"}
+        else [ref]
+    )
+    several = len(target.ids) > 1
+    others = [target]
+    if target.each or (several and said.relation in {"apart", "far", "near"}) or (several and said.no):
+        others = [Ref(target.kind, [n]) for n in target.ids]
+    if several and said.relation == "touch" and not said.no:
+        others = [Ref(target.kind, [n]) for n in target.ids]
+    for a in some:
+        for b in others:
+            if set(_blocks(scene, a)) & set(_blocks(scene, b)) and a.kind == b.kind:
+                raise Unclear
+            scene.facts += _facts_beside(a, b, said)
+
+
+def _facts_beside(a: Ref, b: Ref, said: Place) -> list[Fact]:
+    how = {"directly": "directly ", "immediately": "immediately ", "somewhere": "somewhere ", "": ""}[said.how]
+    bound = {"": "", "least": "at least ", "most": "at most ", "exactly": ""}[said.bound]
+    far = [Fact(a, f"{bound}{said.cm:g} cm from", b, no=said.no)] if said.cm else []
+    if said.relation in _SIDES:
+        if said.no and (said.cm or said.how):
+            raise Unclear
+        return [Fact(a, f"{how}{_SIDES[said.relation]}", b, no=said.no), *far]
+    if said.relation == "apart" and said.cm and not said.how:
+        return far
+    if said.cm or said.how == "somewhere":
+        raise Unclear
+    if said.relation in {"next", "near"}:
+        return [Fact(a, _RELATIONS[said.relation], b, no=said.no)]
+    if said.relation == "touch":
+        return [Fact(a, "touch", b, no=said.no)]
+    if said.relation == "far":
+        return [Fact(a, "far from", b, no=said.no)]
+    raise Unclear
+
+
+def _blocks(scene: Scene, ref: Ref) -> list[int]:
+    if ref.kind == "figure":
+        return [n for at in ref.ids for n in scene.figures[at].blocks]
+    return ref.ids if ref.kind == "block" else []

@@ -6,8 +6,9 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from rpg.language.compose.items import FIGURE
-from rpg.language.compose.phrases import Phrases, Ways, remembered
+from rpg.language.compose.places import Places
 from rpg.language.compose.syntax import Bears, Clause, Looks, Made, Noun, Phrase, Place, Predicate, Pronoun
+from rpg.language.compose.words import Ways, remembered
 
 _LEADS = (
     "i want you to", "i want to see", "i would like you to", "i would like to see", "i would like", "i should like",
@@ -68,10 +69,17 @@ _PUT = frozenset(
         "sit",
     ]
 )
+_LINED = (
+    "lined up", "lined up from left to right", "lined up left to right", "in a row from left to right",
+    "in a line from left to right", "from left to right", "left to right",
+)  # fmt: skip
 _STACK = frozenset({"stack", "pile"})
 _TOWER = Noun(det="a", noun="tower")
 _INTO = ("as", "in", "into", "in the shape of", "out as")
 _THERE = ("there is", "there are", "you have", "we have", "i have", "here is", "here are")
+_FRONTED = (",", "is", "are", "goes", "go", "stands", "stand", "there is", "there are", "there should be", "sits",
+            "lies", ", there is", ", there are", "must be", "should be", "place", "put", ", put", ", place", "i want",
+            "comes", "build", ", build")  # fmt: skip
 _AUX = (
     "must", "should", "shall", "has to", "have to", "needs to", "need to", "is to", "are to", "may", "can", "will",
     "ought to", "is supposed to", "are supposed to", "does", "do",
@@ -96,43 +104,54 @@ _SEPARATORS = (
     "; and", ", leaving", ",", ";", ".", "!", "?", ":", "and", "but", "while", "plus", "with", "whereas", "so that",
 )  # fmt: skip
 
+_WITH = frozenset({", with", "with", ", leaving", "so that", ", so that"})
+"""Behind these stands what is so of a thing that is told of, not a further thing."""
 
-class Reader(Phrases):
+
+class Reader(Places):
     """Reads the clauses of a text."""
 
     def readings(self) -> Iterator[tuple[Clause, ...]]:
         """All ways to read the whole text, those with the longest first clauses first."""
         yield from self._from(0)
 
-    def _from(self, at: int) -> Iterator[tuple[Clause, ...]]:
+    def _from(self, at: int, *, said: bool = False) -> Iterator[tuple[Clause, ...]]:
+        """`said`: something has to be said of what the first clause is about."""
         while self.text(at) in {".", "!", "?", ",", ";"}:
             at += 1
         if at >= len(self.items):
             yield ()
             return
         for clause, end in sorted(self.clause(at), key=lambda way: -way[1]):
-            for start in self._behind_clause(end):
-                for rest in self._from(start):
+            if said and not clause.predicates:
+                continue
+            if clause.mood == "in":
+                start = end + (self.text(end) == ",")
+                for rest in self._from(start) if start < len(self.items) else ():
                     yield (clause, *rest)
-
-    def _behind_clause(self, at: int) -> Iterator[int]:
-        """Where another clause may begin."""
-        if at >= len(self.items):
-            yield at
-            return
-        ends = {self.past_any(at, way) for way in _SEPARATORS} - {0}
-        yield from sorted(ends, reverse=True)
+                continue
+            if end >= len(self.items):
+                yield (clause,)
+            for words in _SEPARATORS:
+                if start := self.past_any(end, words):
+                    for rest in self._from(start, said=words in _WITH):
+                        yield (clause, *rest)
 
     @remembered
     def clause(self, at: int) -> Ways[Clause]:
         """One clause; one that says several things at once is told as several."""
         found: Ways[Clause] = []
+        if self.text(at) == "which":
+            found += [(Clause(Pronoun("which"), said, "must"), end) for said, end in self._verbs(at + 1)]
         for start in self._leads(at):
             there = any(self.past(at, lead.split()) == start for lead in _THERE)
             found += self._command(start)
-            found += [(Clause(*said), end) for said, end in self._statement(start)]
+            found += self._fronted(start)
+            if self.text(start) in {"spell", "write"}:
+                found += self._spelled(start + 1)
+            found += self._statement(start)
             found += [(Clause(what, said, "there" if there else ""), end) for what, said, end in self._existing(start)]
-        if end := self.past_any(at, "nothing on", "nothing on top of", "nothing is on", "nothing may be on"):
+        if end := self.past_any(at, "nothing on", "none on", "nothing on top of", "nothing is on", "nothing may be on"):
             found += [(Clause(what, (Bears(None),)), stop) for what, stop in self.phrase(end)]
         return found
 
@@ -188,22 +207,67 @@ class Reader(Phrases):
             found += [(what, said, stop) for said, stop in self._rest(end)]
         return found
 
-    def _statement(self, at: int) -> Ways[tuple[Phrase, tuple[Predicate, ...], str]]:
-        return [
-            ((what, said, "must" if self.past_any(stop, *_AUX, "not") else "so"), end)
-            for what, stop in self.phrase(at)
-            for said, end in self._verbs(stop)
-        ]
+    def _spelled(self, at: int) -> Ways[Clause]:
+        """ "spell CAT in a row"."""
+        start = self.past_any(at, "the word", "out") or at
+        word = self.items[start].value if start < len(self.items) else ""
+        if not word.isalpha():
+            return []
+        end = self.past_any(start + 1, "in a row", "in a line") or start + 1
+        what = Noun(det="a", noun="word", word=word)
+        return [(Clause(what, (), "build"), end), *((Clause(what, s, "build"), e) for s, e in self._predicates(end))]
+
+    def _fronted(self, at: int) -> Ways[Clause]:
+        """ "behind it another row", "between both is the digit 0", "beside this stack goes a tower"."""
+        found: Ways[Clause] = []
+        if within := self.past_any(at, "in", "of"):
+            found += [(Clause(what, (), "in"), end) for what, end in self.single(within) if isinstance(what, Noun)]
+        for place, end in self.place(at):
+            starts = {self.past_any(end, way) for way in _FRONTED} | {end}
+            for start in starts - {0}:
+                found += [(Clause(what, (place,), "must"), stop) for what, stop in self.single(start)]
+        return found
+
+    def _statement(self, at: int) -> Ways[Clause]:
+        found: Ways[Clause] = []
+        for what, stop in self.phrase(at):
+            for aside, start in ((None, stop), *self._aside(stop)):
+                mood = "must" if self.past_any(start, *_AUX, "not") else "so"
+                found += [(Clause(what, said, mood, aside), end) for said, end in self._verbs(start)]
+        return found
+
+    def _aside(self, at: int) -> Ways[Clause]:
+        """ ", with Q on top,": between a subject and its verb."""
+        found: Ways[Clause] = []
+        if start := self.past_any(at, ", with", "with"):
+            for what, end in self.single(start):
+                for place, stop in self.place(end):
+                    if place.of is None:
+                        found.append((Clause(what, (place,), "must"), stop + (self.text(stop) == ",")))
+        return found
 
     def _rest(self, at: int) -> Ways[tuple[Predicate, ...]]:
         """What may be said of a thing that is told of without a verb, or behind a comma."""
         start = self.past_any(at, ", which") or at
-        return [*self._predicates(start), *self._verbs(start)]
+        looks: Ways[tuple[Predicate, ...]] = []
+        if isinstance(color := next((n for n, e in self.single(start) if e == start + 1), None), Noun):
+            if color.color and not color.noun and not color.det:
+                looks.append(((Looks(color),), start + 1))
+        if end := self.past_any(start, *_LINED):
+            row = Noun(
+                det="a", noun="row", ranks=("left",) if "left" in [i.text for i in self.items[start:end]] else ()
+            )
+            looks.append(((Made(row),), end))
+        return [*looks, *self._predicates(start), *self._verbs(start)]
 
     @remembered
     def _predicates(self, at: int) -> Ways[tuple[Predicate, ...]]:
         """Places, one after the other: "on the patch and left of A", "off the mat but not on the table"."""
         found: Ways[tuple[Predicate, ...]] = []
+        for into in {self.past_any(at, way) for way in ("in", "into", "as")} - {0}:
+            for figure, end in self.single(into):
+                if isinstance(figure, Noun) and figure.noun in FIGURE.values() and figure.det in {"a", ""}:
+                    found.append(((Made(figure),), end))
         for place, end in self.place(at):
             found.append(((place,), end))
             ways = {self.past_any(end, way) for way in ("and", "but", ", but", ", and", ",")} - {0}
@@ -249,11 +313,21 @@ class Reader(Phrases):
                 continue
             for what, stop in self.phrase(end):
                 found.append(((Bears(what),), stop))
-                found += [((Bears(what, place),), last) for place, last in self.place(stop)]
+                found += self._borne(what, stop)
         if end := self.past_any(start, "touch", "touches", "touching"):
             found += [((Place("touch", of, no=denied),), stop) for of, stop in self.phrase(end)]
             if each := self.past_any(end, "each other", "one another"):
                 found.append(((Place("touching", no=denied),), each))
+        return found
+
+    def _borne(self, what: Phrase, at: int) -> Ways[tuple[Predicate, ...]]:
+        """ "a red block on its middle and a blue one on each end"."""
+        found: Ways[tuple[Predicate, ...]] = []
+        for place, end in self.place(at):
+            found.append(((Bears(what, place),), end))
+            if start := self.past_any(end, "and", ", and", ","):
+                for more, stop in self.single(start):
+                    found += [((Bears(what, place), *rest), last) for rest, last in self._borne(more, stop)]
         return found
 
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 from rpg.language.compose.items import FIGURE, PART
 from rpg.language.compose.places_of import columns, places
 from rpg.language.compose.scene import Figure, Patch, Ref, Scene, Unclear
-from rpg.language.compose.syntax import Both, Chain, Labels, Noun, Phrase, Pronoun
+from rpg.language.compose.syntax import Both, Chain, Labels, Listing, Noun, Phrase, Pronoun
 
 _FIGURES = frozenset(FIGURE.values())
 _PARTS = frozenset(PART.values())
@@ -23,9 +23,15 @@ def resolve(scene: Scene, phrase: Phrase) -> Ref:
         return scene.mention(Ref("block", [_labelled(scene, label, phrase.color) for label in phrase.labels]))
     if isinstance(phrase, Both):
         return _both(scene, phrase)
-    if isinstance(phrase, Chain):
+    if isinstance(phrase, Chain | Listing):
         raise Unclear
-    return scene.mention(_noun(scene, phrase))
+    ref = _noun(scene, replace(phrase, but=None))
+    if phrase.but is not None:
+        without = resolve(scene, phrase.but)
+        if ref.kind != without.kind or not set(without.ids) < set(ref.ids) or ref.bound or ref.fresh:
+            raise Unclear
+        ref = replace(ref, ids=[n for n in ref.ids if n not in without.ids])
+    return scene.mention(ref)
 
 
 def _labelled(scene: Scene, label: str, color: str) -> int:
@@ -53,9 +59,13 @@ def _both(scene: Scene, phrase: Both) -> Ref:
 
 def _pronoun(scene: Scene, word: str) -> Ref:
     """The one thing, or the one lot, that was spoken of last and that it can stand for."""
+    if word == "which":
+        return _last(scene)
     many = word in {"they", "their", "them", "these", "those", "both"}
     for spoken in (scene.here, scene.before):
         fits = [ref for ref in spoken if (len(ref.ids) > 1) == many and ref.kind != "table"]
+        if many and not fits and spoken is scene.before and len(scene.figures) > 1:
+            fits = [Ref("figure", list(range(len(scene.figures))))]
         if word == "both":
             fits = [ref for ref in fits if len(ref.ids) == 2]
         if not fits:
@@ -72,13 +82,26 @@ def _pronoun(scene: Scene, word: str) -> Ref:
     raise Unclear
 
 
+def _last(scene: Scene) -> Ref:
+    """What "which" stands for: what is told right before it."""
+    spoken = scene.here or scene.before
+    if not spoken or spoken[-1].kind == "table":
+        raise Unclear
+    return replace(spoken[-1], fresh=False, each=False, bound="", no=False)
+
+
 def _noun(scene: Scene, noun: Noun) -> Ref:
     if noun.det == "other":
         return _others(scene, noun)
-    if noun.of is not None and (noun.noun in _PARTS or noun.ranks or noun.nth) and noun.noun not in _FIGURES:
-        return part(scene, noun)
-    if noun.of is not None:
+    if noun.of is not None and (noun.noun in _PARTS or noun.ranks or noun.nth):
+        if noun.noun not in _FIGURES or noun.noun in {"row", "column"}:
+            return part(scene, noun)
+    if noun.of is not None or noun.det == "but":
         return _some_of(scene, noun)
+    if noun.noun in {"row", "layer", "column"} and noun.ranks and _within(scene):
+        return part(scene, noun)
+    if noun.noun == "one" and noun.det in {"a", "another"} and not noun.color and scene.figures:
+        return _figure(scene, noun)
     if noun.noun == "table":
         return Ref("table", [])
     if noun.noun == "patch":
@@ -90,6 +113,11 @@ def _noun(scene: Scene, noun: Noun) -> Ref:
     if noun.noun in _PARTS or (noun.ranks and noun.noun in {"block", "one"}) or (noun.nth and noun.noun == "one"):
         return _by_rank(scene, noun)
     return _blocks(scene, noun)
+
+
+def _within(scene: Scene) -> bool:
+    """Whether a row that is spoken of is one of a grid or a wall."""
+    return bool(scene.figures) and scene.figures[-1].kind in {"grid", "wall"}
 
 
 def _by_rank(scene: Scene, noun: Noun) -> Ref:
@@ -117,10 +145,10 @@ def _take(scene: Scene, ids: list[int]) -> Ref:
 def part(scene: Scene, noun: Noun) -> Ref:
     """The blocks of a figure at some of its places."""
     figures = _whole_figures(scene, noun)
-    said = (*noun.ranks, *((noun.noun,) if noun.noun in _PARTS else ()))
+    said = (*noun.ranks, *((noun.noun,) if noun.noun in _PARTS | {"row", "column"} else ()))
     ids = []
     for figure in figures:
-        at = places(figure, said, noun.nth)
+        at = places(figure, said, noun.nth, noun.count)
         if noun.det == "other":
             raise Unclear
         scene.settle(figure)
@@ -128,7 +156,8 @@ def part(scene: Scene, noun: Noun) -> Ref:
         ids += [figure.blocks[n] for n in at]
     if noun.color and any(scene.blocks[n].color != noun.color for n in ids):
         raise Unclear
-    if not noun.many and noun.det not in _ALL and not noun.count and len(ids) > len(figures):
+    whole = noun.noun in {"row", "column", "layer", "side"}
+    if not noun.many and noun.det not in _ALL and not noun.count and len(ids) > len(figures) and not whole:
         raise Unclear
     if noun.count and noun.count != len(ids):
         if noun.det in {"the", *_ALL} or noun.bound or noun.count != 1:
@@ -182,16 +211,19 @@ def _others(scene: Scene, noun: Noun) -> Ref:
 
 def _some_of(scene: Scene, noun: Noun) -> Ref:
     """So many of a lot: any of those that look alike, of which nothing was said yet."""
-    assert noun.of is not None
-    whole = resolve(scene, noun.of)
+    here = list(scene.here)
+    if noun.of is None and not scene.whole:
+        raise Unclear
+    whole = resolve(scene, noun.of) if noun.of is not None else Ref("block", list(scene.whole))
+    scene.here = here  # those that are meant are spoken of, not those that they are some of
     ids = whole.ids
     if noun.det in _ALL:
         if noun.det == "both" and len(ids) != 2:
             raise Unclear
-        return Ref(whole.kind, ids, each=noun.det == "each")
+        return Ref(whole.kind, ids, each=noun.det == "each", every=True)
     if noun.det == "no":
         return Ref(whole.kind, ids, no=True, each=True)
-    count = len(ids) // 2 if noun.det == "half" else noun.count
+    count = len(ids) // 2 if noun.det == "half" else len(ids) - noun.count if noun.det == "but" else noun.count
     if whole.kind != "block" or not count or count > len(ids) or (noun.det == "half" and len(ids) % 2):
         raise Unclear
     if not scene.alike(ids) or noun.bound == "most":
@@ -242,6 +274,11 @@ def _figure(scene: Scene, noun: Noun) -> Ref:
         raise Unclear
     if noun.count > 1 and noun.made == "from":
         raise Unclear
+    if isinstance(noun.content, Listing):
+        if noun.count != len(noun.content.parts):
+            raise Unclear
+        made = [_made(scene, replace(noun, count=0, content=part), kind) for part in noun.content.parts]
+        return Ref("figure", made, fresh=True)
     made = [_made(scene, noun, kind) for _ in range(noun.count or 1)]
     if noun.many and not noun.count:
         raise Unclear
@@ -294,7 +331,7 @@ def _ranked(scene: Scene, found: list[int], noun: Noun) -> list[int]:
                 raise Unclear
             found = [0 if rank == "former" else 1]
         else:
-            raise Unclear
+            found = [n for n in found if _is_farthest(scene, n, found, rank)]
     if noun.nth:
         if noun.nth > len(found):
             raise Unclear
@@ -302,12 +339,42 @@ def _ranked(scene: Scene, found: list[int], noun: Noun) -> list[int]:
     return found
 
 
+_TOWARD = {"left": "to the left of", "right": "to the right of", "near": "in front of", "far": "behind"}
+_OPPOSITE = {"left": "right", "right": "left", "near": "far", "far": "near"}
+
+
+def _is_farthest(scene: Scene, n: int, found: list[int], rank: str) -> bool:
+    """Whether a figure is said to be on that side of all others of these."""
+    if rank == "middle":
+        sides = [r for r in ("left", "near") if all(_is_between(scene, n, found, r) for _ in found)]
+        return bool(sides)
+    if rank not in _TOWARD:
+        raise Unclear
+    return all(_is_toward(scene, n, other, rank) for other in found if other != n)
+
+
+def _is_between(scene: Scene, n: int, found: list[int], rank: str) -> bool:
+    others = [m for m in found if m != n]
+    toward = [m for m in others if _is_toward(scene, n, m, rank)]
+    away = [m for m in others if _is_toward(scene, m, n, rank)]
+    return len(toward) == len(away) and len(toward) + len(away) == len(others) > 0
+
+
+def _is_toward(scene: Scene, a: int, b: int, rank: str) -> bool:
+    return any(
+        (fact.said.endswith(_TOWARD[rank]) and fact.a.ids == [a] and fact.b.ids == [b])
+        or (fact.said.endswith(_TOWARD[_OPPOSITE[rank]]) and fact.a.ids == [b] and fact.b.ids == [a])
+        for fact in scene.facts
+        if fact.a.kind == "figure" and fact.b is not None and fact.b.kind == "figure" and not fact.no
+    )
+
+
 _DEFAULT: dict[str, int] = {"plus": 5}
 
 
 def _made(scene: Scene, noun: Noun, kind: str) -> int:
     """A further figure, of further blocks unless its blocks are spoken of."""
-    content, size = noun.content, noun.size
+    content, size, here = noun.content, noun.size, list(scene.here)
     if isinstance(content, Noun) and content.noun in {"block", "one", ""} and not content.color and content.count \
             and content.det == "" and not content.of and len(size) < 2 and not scene.stock:  # fmt: skip
         size, content = size or (content.count,), None
@@ -318,6 +385,8 @@ def _made(scene: Scene, noun: Noun, kind: str) -> int:
         if kind != "tower" or len(set(figure.blocks)) < len(figure.blocks):
             raise Unclear
     elif content is not None:
+        if isinstance(content, Noun) and content.many and not content.count and content.det == "" and size:
+            content = replace(content, count=size[0] if len(size) == 1 else size[0] * size[1])
         ref = resolve(scene, content)
         if ref.kind != "block" or ref.bound or ref.no:
             raise Unclear
@@ -336,6 +405,7 @@ def _made(scene: Scene, noun: Noun, kind: str) -> int:
     if len(figure.blocks) < 2 or any(n in f.blocks for f in scene.figures for n in figure.blocks):
         raise Unclear
     scene.figures.append(figure)
+    scene.here = here  # "it" is the figure, not what it is made of
     return len(scene.figures) - 1
 
 
@@ -379,7 +449,7 @@ def _blocks(scene: Scene, noun: Noun) -> Ref:
             raise Unclear
         if not noun.det and any(not noun.color for _ in like):
             raise Unclear
-        return Ref("block", like, each=noun.det == "each")
+        return Ref("block", like, each=noun.det == "each", every=noun.det in _ALL)
     if not noun.color and (definite or (not noun.count and noun.det != "another")):
         raise Unclear
     count = noun.count or (2 if noun.det == "both" else 1)
@@ -392,7 +462,8 @@ def _blocks(scene: Scene, noun: Noun) -> Ref:
         if scene.whole != stock:
             scene.whole, scene.taken = list(stock), []
         return replace(_take(scene, left[:count]), fresh=True)
-    return Ref("block", scene.new_blocks(count, noun.color), fresh=True, each=noun.det == "each")
+    ids = scene.new_blocks(count, noun.color)
+    return Ref("block", ids, fresh=True, each=noun.det == "each", every=noun.det in _ALL)
 
 
 def _in_stock(scene: Scene, color: str) -> list[int]:

@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import replace
-from functools import wraps
-from typing import Any, TypeVar
 
-from rpg.language.compose.items import BLOCK, COLOR, FIGURE, ORDINAL, PART, PATCH, RANK, SYMBOL, TABLE, Item
-from rpg.language.compose.syntax import Both, Chain, Labels, Noun, Phrase, Place, Pronoun
-
-T = TypeVar("T")
-Ways = list[tuple[T, int]]
+from rpg.language.compose.items import BLOCK, COLOR, FIGURE, ORDINAL, PART, PATCH, RANK, SYMBOL, TABLE
+from rpg.language.compose.syntax import Both, Chain, Labels, Listing, Noun, Phrase, Pronoun
+from rpg.language.compose.words import Text, Ways, remembered
 
 _PRONOUNS = frozenset(["it", "its", "they", "them", "their", "this", "that", "these", "those", "both"])
 _DETS = {
@@ -19,89 +15,20 @@ _DETS = {
     "another": "another", "any": "any", "this": "the", "that": "the", "these": "the", "those": "the", "my": "the",
     "our": "the", "either": "each", "second": "another", "further": "another",
 }  # fmt: skip
-_WORDS: dict[str, tuple[str, ...]] = {
-    "on": ("on top of", "atop", "on to", "onto", "upon", "on"),
-    "under": ("under", "underneath", "beneath", "below"),
-    "left": ("to the left of", "on the left of", "left of", "to left of"),
-    "right": ("to the right of", "on the right of", "right of", "to right of"),
-    "front": ("in front of", "to the front of"),
-    "behind": ("behind", "in back of", "at the back of"),
-    "next": ("next to", "beside", "alongside", "by the side of", "right next to"),
-    "near": ("near", "close to"),
-    "between": ("in between", "between"),
-    "touch": ("touching", "against", "in contact with"),
-    "apart": ("away from", "from"),
-    "far": ("far from", "far away from", "well away from"),
-    "off": ("off of", "off", "outside of", "outside", "not on"),
-    "in": ("inside of", "inside", "within", "into", "in", "at", "to"),
-    "opposite": ("at the other end of",),
-}
-RELATIONS = sorted(
-    ((words.split(), relation) for relation, ways in _WORDS.items() for words in ways), key=lambda way: -len(way[0])
-)
-_BARE: dict[str, tuple[str, ...]] = {
-    "top": ("on top", "on the top", "at the top", "at the very top", "on the very top"),
-    "bottom": ("at the bottom", "on the bottom", "below"),
-    "middle": ("in the middle", "in between", "between them", "in the center", "in the centre", "at the center"),
-    "left": ("on the left", "to the left", "at the left", "on its left", "to its left", "at the left end"),
-    "right": ("on the right", "to the right", "at the right", "on its right", "to its right", "at the right end"),
-    "front": ("in front",),
-    "behind": ("behind", "in back", "at the back"),
-    "free": ("free", "clear", "uncovered", "bare", "empty"),
-    "table": ("on the table", "on the ground"),
-    "flat": ("without being stacked", "not stacked", "flat on the table", "unstacked"),
-    "side by side": ("side by side", "next to each other", "beside each other", "next to one another"),
-    "touching": ("touching", "touching each other", "in contact"),
-    "apart": ("apart", "apart from each other", "away from each other"),
-    "alone": ("alone", "by themselves", "on their own", "on its own"),
-}
-BARE = sorted(((words.split(), place) for place, ways in _BARE.items() for words in ways), key=lambda way: -len(way[0]))
-_HOW = {
-    "directly": "directly", "right": "immediately", "immediately": "immediately", "straight": "directly",
-    "somewhere": "somewhere", "anywhere": "somewhere",
-}  # fmt: skip
-_UNITS = {"cm": 1.0, "centimeters": 1.0, "centimetres": 1.0, "centimeter": 1.0, "mm": 0.1}
 _MADE_OF = ("of", "from", "made of", "made from", "made out of", "consisting of", "comprising", "containing",
             "made up of", "built from", "built of", "out of", "with", "in")  # fmt: skip
-_ENDED = frozenset({".", ";", "!", "?", ":", ","})
 
 
-def remembered(rule: Callable[..., Ways[T]]) -> Callable[..., Ways[T]]:
-    """A rule that is asked once only of what begins at a word."""
-
-    @wraps(rule)
-    def asked(self: Phrases, at: int, *more: object) -> Ways[T]:
-        key = (rule.__name__, at, *more)
-        if key not in self.known:
-            self.known[key] = []  # what begins with itself has no reading
-            self.known[key] = list(dict.fromkeys(rule(self, at, *more)))
-        return self.known[key]
-
-    return asked
-
-
-class Phrases:
-    """The words of one text, and what was found to begin at each."""
-
-    def __init__(self, items: Sequence[Item]) -> None:
-        self.items = items
-        self.known: dict[Any, list[Any]] = {}
-
-    def text(self, at: int) -> str:
-        return self.items[at].text if 0 <= at < len(self.items) else ""
-
-    def past(self, at: int, words: Sequence[str]) -> int:
-        """Where these words end, if they begin here; else 0."""
-        return at + len(words) if [i.text for i in self.items[at : at + len(words)]] == list(words) else 0
-
-    def past_any(self, at: int, *ways: str) -> int:
-        """Where the longest of these ends that begins here; else 0."""
-        return max(self.past(at, way.split()) for way in ways)
+class Phrases(Text):
+    """Reads noun phrases."""
 
     @remembered
     def phrase(self, at: int) -> Ways[Phrase]:
         """One noun phrase, or several joined by commas and "and"."""
         found: Ways[Phrase] = []
+        if (many := at + (self.text(at) == "the")) < len(self.items) and self.items[many].many:
+            if self.text(many) in BLOCK | set(SYMBOL) and self.label(many + 1):
+                found += [(both, end) for both, end in self.phrase(many + 1) if _labelled(both)]
         for part, end in self.single(at):
             found.append((part, end))
             found += [(Both((part, *rest)), stop) for rest, stop in self._joined(end)]
@@ -136,10 +63,38 @@ class Phrases:
         found: Ways[Phrase] = list(self._labels(at))
         if self.text(at) in _PRONOUNS:
             found.append((Pronoun(self.text(at)), at + 1))
+        found += self._owned(at)
         found += self._some_of(at)
         found += self._others(at)
         found += self._noun(at)
-        return found
+        return [*found, *self._but(found)]
+
+    def _but(self, found: Ways[Phrase]) -> Iterator[tuple[Phrase, int]]:
+        """ "every block of it except the middle one"."""
+        for whole, end in found:
+            without = self.past_any(end, "except", "but", "except for", "other than", "save", "besides", ", except")
+            if without and isinstance(whole, Noun) and whole.det in {"all", "each", "the"}:
+                yield from ((replace(whole, but=part), stop) for part, stop in self._simple(without))
+
+    def _owned(self, at: int) -> Iterator[tuple[Phrase, int]]:
+        """ "its two ends", "the pyramid's top block"."""
+        owners: Ways[Phrase] = []
+        if self.text(at) in {"its", "their"}:
+            owners.append((Pronoun("it" if self.text(at) == "its" else "them"), at + 1))
+        owners += [(noun, end + 1) for noun, end in self._plain(at) if self.text(end) in {"'s", "'"}]
+        for owner, end in owners:
+            starts = [(Noun(det="the"), end)]
+            starts += [(replace(amount, det="the"), stop) for amount, stop in self._amount(end)]
+            for start, behind in starts:
+                yield from ((replace(noun, of=owner), stop) for noun, stop in self._head(behind, start))
+
+    @remembered
+    def _plain(self, at: int) -> Ways[Phrase]:
+        """A noun phrase of which something may be said to be a part."""
+        det = _DETS.get(self.text(at))
+        if det not in {"the", "each"}:
+            return []
+        return [(noun, end) for noun, end in self._head(at + 1, Noun(det=det))]
 
     def _labels(self, at: int) -> Iterator[tuple[Phrase, int]]:
         """ "A", "the cube Q", "the letter K", "the 4 block", "the block numbered 4"."""
@@ -167,11 +122,11 @@ class Phrases:
 
     def _amount(self, at: int) -> Iterator[tuple[Noun, int]]:
         """ "exactly two", "at least one", "three", "half"."""
-        for words, bound, more in _BOUNDS:
-            if (end := self.past(at, words)) and self.items[end : end + 1] and self.items[end].number:
-                yield Noun(bound=bound, count=self.items[end].number + more), end + 1
-        if self.items[at : at + 1] and self.items[at].number:
-            yield Noun(count=self.items[at].number), at + 1
+        for words, bound, more in BOUNDS:
+            if (end := self.past(at, words)) and self.number(end):
+                yield Noun(bound=bound, count=self.number(end) + more), end + 1
+        if self.number(at):
+            yield Noun(count=self.number(at)), at + 1
 
     def _some_of(self, at: int) -> Iterator[tuple[Phrase, int]]:
         """ "two of the three red blocks", "each of them", "none of the towers", "both of these"."""
@@ -179,6 +134,9 @@ class Phrases:
         if self.text(at) in {"each", "all", "both", "none", "neither", "any", "either"}:
             det = {"none": "no", "neither": "no", "either": "any"}.get(self.text(at), self.text(at))
             ways.append((Noun(det=det), at + 1))
+        if self.past_any(at, "all but", "all except") and (left_out := self.number(at + 2)):
+            ways.append((Noun(det="but", count=left_out), at + 3))
+            yield Noun(det="but", count=left_out), at + 3
         if self.text(at) == "half":
             ways.append((Noun(det="half"), at + 1))
         for some, end in ways:
@@ -195,18 +153,21 @@ class Phrases:
         if self.text(start) == "rest":
             yield Noun(det="other", many=True), start + 1
             return
+        if end := self.past_any(start, "one that is left", "one left", "one that is left over", "one left over"):
+            yield Noun(det="other", count=1), end
+            return
         other = self.past_any(start, "other", "others", "remaining", "leftover", "two other", "two others")
         count = 0
         if self.text(start) == "two" and other:
             count = 2
-        if not other and (self.items[start : start + 1] and self.items[start].number):
+        if not other and self.number(start):
             other = self.past_any(start + 1, "other", "others", "remaining")
-            count = self.items[start].number
+            count = self.number(start)
         if not other:
             return
         many = self.text(other - 1) == "others"
-        if self.items[other : other + 1] and self.items[other].number and self.text(other) != "one":
-            count, other = self.items[other].number, other + 1
+        if self.number(other) and self.text(other) != "one":
+            count, other = self.number(other), other + 1
         blank = Noun(det="other", count=count, many=many or count > 1)
         yield blank, other
         for noun, end in self._head(other, blank):
@@ -220,6 +181,9 @@ class Phrases:
         det = _DETS.get(self.text(at))
         if det:
             starts.append((Noun(det=det), at + 1))
+        found: Ways[Phrase] = []
+        if self.text(at) == "another":
+            found += self._behind(Noun(det="another", noun="one"), at + 1)
             if self.text(at) == "the" and self.text(at + 1) == "only":
                 starts.append((Noun(det="the"), at + 2))
             if self.text(at) == "a" and self.text(at + 1) in {"second", "third", "further", "fourth"}:
@@ -228,7 +192,6 @@ class Phrases:
             for amount, stop in self._amount(end):
                 if not start.det or not amount.bound:
                     starts.append((replace(amount, det=start.det), stop))
-        found: Ways[Phrase] = []
         for start, end in starts:
             for noun, stop in self._head(end, start):
                 found += self._behind(noun, stop)
@@ -252,18 +215,14 @@ class Phrases:
             nth = ORDINAL[text]
             yield replace(noun, nth=nth, noun="one"), at + 1
             yield from self._head(at + 1, replace(noun, nth=nth))
-        if text in {"plain", "such", "full", "filled", "more"}:
+        if text in {"plain", "such", "full", "filled", "more", "whole"}:
             yield from self._head(at + 1, noun)
         if text == "dims":
             size = tuple(int(n) for n in item.value.split("x"))
             yield from self._head(at + 1, replace(noun, size=size))
         if item.number and self.text(at + 1) in {"block", "high", "cube"} and self.text(at + 2) in FIGURE:
             yield from self._head(at + 2, replace(noun, size=(item.number,)))
-        if (
-            item.number
-            and self.past(at + 1, ["by"])
-            and (other := self.items[at + 2].number if at + 2 < len(self.items) else 0)
-        ):
+        if item.number and self.text(at + 1) == "by" and (other := self.number(at + 2)):
             yield from self._head(at + 3, replace(noun, size=(item.number, other)))
         kind = FIGURE.get(text) or PART.get(text) or ("block" if text in BLOCK else "") or SYMBOL.get(text, "")
         kind = kind or ("patch" if text in PATCH else "table" if text in TABLE else "one" if text == "one" else "")
@@ -278,27 +237,76 @@ class Phrases:
     def _behind(self, noun: Noun, at: int) -> Ways[Phrase]:
         """What stands behind a noun: what it is made of, what it is a part of, how high it is."""
         found: Ways[Phrase] = [(noun, at)]
-        if noun.noun in FIGURE.values():
+        if noun.noun in FIGURE.values() or (noun.noun == "one" and noun.det in {"a", "another"}):
             for measured, end in [(noun, at), *self._measured(noun, at)]:
                 if end != at:
                     found.append((measured, end))
-                made = "of" if self.text(end) in {"of", ","} else "from"
-                found += [(replace(measured, content=of, made=made), stop) for of, stop in self._content(end)]
+                made = "of" if self.text(end) in {"of", ",", ":"} else "from"
+                for of, stop in self._content(end):
+                    each = stop + 1 if self.text(stop) == "each" else stop
+                    told = "of" if each > stop or isinstance(of, Listing) else made
+                    full = replace(measured, content=of, made=told)
+                    found.append((full, each))
+                    found += self._measured(full, each)
         elif noun.noun != "table":
             found += [(replace(noun, of=whole), stop) for whole, stop in self._whole(at)]
-            if nth := self._counted_from(noun, at):
-                found += nth
+            found += self._counted_from(noun, at)
         return found
 
     def _content(self, at: int) -> Ways[Phrase]:
-        """ "of three red blocks", ", blue over red", ", with Q on top" is not."""
+        """ "of three red blocks", ", blue over red", ", one of two red blocks and one of three blue ones"."""
         found: Ways[Phrase] = []
-        if end := self.past_any(at, *_MADE_OF):
-            found += self.phrase(end)  # fmt: skip
-            if self.items[end : end + 1] and self.items[end].number and self.text(end + 1) != "block":
-                found.append((Noun(count=self.items[end].number, noun="block", many=True), end + 1))
-        if self.text(at) == ",":
+        aside = self.text(at) == ","
+        if end := self.past_any(at + aside, *_MADE_OF):
+            if aside:
+                return [(noun, stop + (self.text(stop) == ",")) for noun, stop in self.phrase(end)]
+            found += self.phrase(end)
+            if self.number(end) and self.text(end + 1) != "block":
+                found.append((Noun(count=self.number(end), noun="block", many=True), end + 1))
+        if self.text(at) in {",", ":"}:
             found += [(chain, end) for chain, end in self.single(at + 1) if isinstance(chain, Chain)]
+            found += self._listing(at + 1)
+            found += self._heights(at + 1)
+        return found
+
+    def _heights(self, at: int) -> Ways[Phrase]:
+        """ "two, three and four blocks high"."""
+        heights: list[int] = []
+        while self.number(at):
+            heights.append(self.number(at))
+            at = self.past_any(at + 1, "and", ",", ", and") or at + 1
+        at += self.text(at) == "block"
+        if len(heights) < 2 or self.text(at) not in {"high", "tall"}:
+            return []
+        return [(Listing(tuple(Noun(count=n, noun="block", many=True) for n in heights)), at + 1)]
+
+    def _listing(self, at: int) -> Ways[Phrase]:
+        """What each of several figures is made of, one after the other."""
+        found: Ways[Phrase] = []
+        for first, end in self._listed(at):
+            following: Ways[tuple[Phrase, ...]] = [((first,), end)]
+            while following:
+                more: Ways[tuple[Phrase, ...]] = []
+                for parts, stop in following:
+                    if len(parts) > 1:
+                        found.append((Listing(parts), stop))
+                    if start := self.past_any(stop, "and", ", and", ",", ";", "; and"):
+                        more += [((*parts, part), last) for part, last in self._listed(start)]
+                following = more
+        return found
+
+    def _listed(self, at: int) -> Ways[Phrase]:
+        """ "one red on blue", "one of three red blocks", "green on yellow"."""
+        found = [(chain, end) for chain, end in self.single(at) if isinstance(chain, Chain)]
+        if self.text(at) == "one":
+            of = self.past_any(at + 1, "of", "with", "made of", "is", "has")
+            found += [(chain, end) for chain, end in self.single(of or at + 1) if isinstance(chain, Chain)]
+            if of:
+                found += [
+                    (noun, end) for noun, end in self._noun(of) if isinstance(noun, Noun) and noun.noun == "block"
+                ]
+                if self.number(of) and self.text(of + 1) != "block":
+                    found.append((Noun(count=self.number(of), noun="block", many=True), of + 1))
         return found
 
     def _measured(self, noun: Noun, at: int) -> Iterator[tuple[Noun, int]]:
@@ -307,13 +315,13 @@ class Phrases:
         sizes: dict[str, int] = {}
         while True:
             start += self.text(start) in {"and", "of"} and bool(sizes)
-            if not (self.items[start : start + 1] and self.items[start].number):
+            if not self.number(start):
                 break
             end = start + 1 + (self.text(start + 1) == "block")
             measure = {"high": "high", "tall": "high", "wide": "wide", "long": "wide"}.get(self.text(end))
             if measure is None:
                 break
-            sizes[measure] = self.items[start].number
+            sizes[measure] = self.number(start)
             start = end + 1
         if "high" in sizes and "wide" in sizes:
             yield replace(noun, size=(sizes["wide"], sizes["high"])), start
@@ -334,38 +342,8 @@ class Phrases:
         counted = replace(noun, ranks=(*noun.ranks, rank))
         return [(counted, end + 1), *((replace(counted, of=w), stop) for w, stop in self._whole(end + 1))]
 
-    @remembered
-    def place(self, at: int) -> Ways[Place]:
-        """A relation with what it is to, or a bare one."""
-        found: Ways[Place] = []
-        for words, name in BARE:
-            if end := self.past(at, words):
-                found.append((Place(name), end))
-        no = self.past_any(at, "not", "never") or at
-        for how, start in self._how(no):
-            for words, relation in RELATIONS:
-                if end := self.past(start, words):
-                    found += [
-                        (replace(how, relation=relation, of=thing, no=no > at), stop)
-                        for thing, stop in self.phrase(end)
-                    ]
-        return found
 
-    def _how(self, at: int) -> Iterator[tuple[Place, int]]:
-        """ "directly", "somewhere", "at least 10 cm", and nothing."""
-        yield Place(""), at
-        if how := _HOW.get(self.text(at)):
-            yield Place("", how=how), at + 1
-        start = at
-        bound = ""
-        for words, sense, _ in _BOUNDS:
-            if end := self.past(at, words):
-                start, bound = end, sense
-        if self.items[start : start + 1] and self.items[start].number and (unit := _UNITS.get(self.text(start + 1))):
-            yield Place("", cm=self.items[start].number * unit, bound=bound), start + 2
-
-
-_BOUNDS = [
+BOUNDS = [
     (words.split(), bound, more)
     for ways, bound, more in (
         ("exactly|one and only", "exactly", 0), ("at least|no fewer than|not fewer than|no less than", "least", 0),
@@ -374,3 +352,7 @@ _BOUNDS = [
     )
     for words in ways.split("|")
 ]  # fmt: skip
+
+
+def _labelled(phrase: Phrase) -> bool:
+    return isinstance(phrase, Both) and all(isinstance(part, Labels) for part in phrase.parts)

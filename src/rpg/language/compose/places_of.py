@@ -13,12 +13,14 @@ def columns(figure: Figure) -> int:
     return figure.size[0] if len(figure.size) == 2 else 0
 
 
-def places(figure: Figure, ranks: tuple[str, ...], nth: int = 0) -> list[int]:
+def places(figure: Figure, ranks: tuple[str, ...], nth: int = 0, count: int = 0) -> list[int]:
     """The numbers of the places that words such as "left end" or "far right corner" stand for.
 
     Raises Unclear where the figure has no such places.
     """
-    many, said = len(figure.blocks), set(ranks) - {"block"}
+    many, said = len(figure.blocks), set(ranks)
+    if len(said) == 1 and 1 < count < many and not nth and (some := _several(figure, said, count)):
+        return some
     if figure.kind == "tower":
         return _one_line(many, said, nth, "bottom", "top")
     if figure.kind == "row" or figure.kind == "word":
@@ -35,6 +37,19 @@ def places(figure: Figure, ranks: tuple[str, ...], nth: int = 0) -> list[int]:
     if figure.kind == "pyramid" and said == {"top"}:
         return [0]
     raise Unclear
+
+
+def _several(figure: Figure, said: set[str], count: int) -> list[int]:
+    """ "the two upper ones", "the three middle ones"."""
+    ends = {"tower": ("bottom", "top"), "row": ("left", "right"), "word": ("left", "right")}.get(figure.kind)
+    many = len(figure.blocks)
+    if ends is None:
+        return []
+    if said == {"middle"}:
+        return list(range((many - count) // 2, (many + count) // 2)) if (many - count) % 2 == 0 else []
+    if said == {ends[0]}:
+        return list(range(count))
+    return list(range(many - count, many)) if said == {ends[1]} else []
 
 
 def _one_line(many: int, said: set[str], nth: int, first: str, last: str) -> list[int]:
@@ -73,7 +88,14 @@ def _of_grid(figure: Figure, said: set[str]) -> list[int]:
         cols = range(1) if "left" in said else range(wide - 1, wide)
     if far in said or near in said:
         rows = range(1) if far in said else range(tall - 1, tall)
+    whole = said & {"row", "layer", "column", "side"}
     sides = said & {"left", "right", far, near}
+    if whole and len(sides) == 1 and len(said) == 2:
+        along = {"row": {far, near}, "layer": {far, near}, "column": {"left", "right"}, "side": sides}[
+            next(iter(whole))
+        ]
+        if sides <= along:
+            return [r * wide + c for r in rows for c in cols]
     if said - sides - {"corner", "end"} or ("left" in said and "right" in said) or (far in said and near in said):
         raise Unclear
     if "end" in said:

@@ -51,7 +51,8 @@ class Ref:
     """What a phrase stands for: `kind` "block", "figure", "patch" or "table", with the numbers of those in the scene.
 
     `each`: what is said is said of each by itself. `bound`: "exactly" or "most" of `ids` and `rest`. `fresh`: they are
-    told of for the first time, as some or other ones. `no`: it is said of none of them.
+    told of for the first time, as some or other ones. `no`: it is said of none of them. `every`: it is said of
+    "all" of them.
     """
 
     kind: str
@@ -62,6 +63,7 @@ class Ref:
     count: int = 0
     fresh: bool = False
     no: bool = False
+    every: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,7 +79,11 @@ class Fact:
 
 @dataclass
 class Scene:
-    """All that is told of, and what was spoken of last."""
+    """All that is told of, and what was spoken of last.
+
+    `stock`: lots that the text says there are; `whole` is the lot of which some were told apart last, `taken` those.
+    `pending`: blocks that lie somewhere on others, and it has still to be said on which of them.
+    """
 
     blocks: list[Block] = field(default_factory=list)
     figures: list[Figure] = field(default_factory=list)
@@ -90,6 +96,7 @@ class Scene:
     before: list[Ref] = field(default_factory=list)
     here: list[Ref] = field(default_factory=list)
     lots: int = 0
+    pending: list[tuple[list[int], list[int]]] = field(default_factory=list)
 
     def new_blocks(self, count: int, color: str = "", label: str = "") -> list[int]:
         """So many further blocks that look alike."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from itertools import combinations
+from itertools import combinations, pairwise
 
 from rpg.language.compose.nouns import resolve
 from rpg.language.compose.places_of import places
@@ -26,10 +26,15 @@ def say(scene: Scene, clause: Clause) -> None:
             raise Unclear
         _stacked(scene, subject)
         return
+    if scene.pending and isinstance(subject, Noun) and subject.count == 1 and not subject.color and not subject.ranks:
+        _one_by_one(scene, subject, clause.predicates)
+        return
     if _each_of_a_new_one(subject, clause.predicates):
         _one_for_each(scene, subject, clause.predicates[0])
         return
     ref = resolve(scene, subject)
+    if clause.aside is not None:
+        _said(scene, resolve(scene, clause.aside.subject), clause.aside.predicates[0])
     if not clause.predicates:
         _there_is(scene, ref)
     for said in clause.predicates:
@@ -67,6 +72,28 @@ def _stacked(scene: Scene, chain: Chain) -> None:
         scene.used.update(ref.ids)
 
 
+def _one_by_one(scene: Scene, subject: Noun, said: Sequence[Predicate]) -> None:
+    """ "one on each end": where those are that lie somewhere on the figure told before."""
+    upper, lower = scene.pending.pop()
+    if (
+        subject.noun not in {"", "one", "block"}
+        or len(said) != 1
+        or not isinstance(said[0], Place)
+        or said[0].of is None
+    ):
+        raise Unclear
+    target = resolve(scene, said[0].of)
+    if (
+        said[0].relation != "on"
+        or said[0].no
+        or target.kind != "block"
+        or not target.each
+        or not set(target.ids) <= set(lower)
+    ):
+        raise Unclear
+    _on(scene, Ref("block", upper), Ref("block", target.ids), "on", no=False)
+
+
 def _each_of_a_new_one(subject: Phrase, said: Sequence[Predicate]) -> bool:
     """Whether there is a further one for each of those that it is put on."""
     if len(said) != 1 or not isinstance(said[0], Place) or said[0].no:
@@ -93,7 +120,7 @@ def _one_for_each(scene: Scene, subject: Phrase, said: Predicate) -> None:
 
 
 def _said(scene: Scene, ref: Ref, said: Predicate) -> None:
-    if isinstance(said, Place) and said.no and (ref.each or ref.no):
+    if isinstance(said, Place) and said.no and (ref.each or ref.no or ref.every):
         raise Unclear
     if isinstance(said, Place) and said.no and isinstance(said.of, Noun) and said.of.det in {"each", "all", "both"}:
         raise Unclear
@@ -124,6 +151,9 @@ def _said(scene: Scene, ref: Ref, said: Predicate) -> None:
 
 def _forms(scene: Scene, ref: Ref, phrase: Phrase) -> None:
     """These blocks form a figure."""
+    if ref.kind == "figure" and isinstance(phrase, Noun) and phrase.noun in {"row", "line"} and len(ref.ids) > 1:
+        _in_line(scene, ref, phrase)
+        return
     if ref.kind != "block" or not isinstance(phrase, Noun) or phrase.content is not None or ref.each or ref.bound:
         raise Unclear
     if phrase.count > 1 or phrase.det not in {"a", ""} or phrase.color:
@@ -132,6 +162,23 @@ def _forms(scene: Scene, ref: Ref, phrase: Phrase) -> None:
     here, scene.here = scene.here, [Ref("block", ref.ids)]
     resolve(scene, made)
     scene.here = [*here, *scene.here[1:]]
+
+
+def _in_line(scene: Scene, ref: Ref, phrase: Noun) -> None:
+    """Towers that stand in a row: their lowest blocks do; told from left to right, each is left of the next one."""
+    figures = [scene.figures[n] for n in ref.ids]
+    if (
+        any(f.kind != "tower" for f in figures)
+        or phrase.content is not None
+        or phrase.det not in {"a", ""}
+        or phrase.color
+    ):
+        raise Unclear
+    for figure in figures:
+        scene.settle(figure)
+    scene.facts.append(Fact(Ref("block", [f.blocks[0] for f in figures]), "in a row"))
+    if phrase.ranks == ("left",):
+        scene.facts += [Fact(Ref("figure", [a]), "to the left of", Ref("figure", [b])) for a, b in pairwise(ref.ids)]
 
 
 def _looks(scene: Scene, ref: Ref, like: Phrase) -> None:
@@ -254,6 +301,8 @@ def _place(scene: Scene, ref: Ref, target: Ref, said: Place) -> None:
         raise Unclear
     if name in {"in", "on"} and target.kind == "patch":
         _on_patch(scene, ref, target, no=said.no)
+        if said.how == "flat":
+            _bare(scene, ref, Place("flat", no=said.no))
     elif name == "off" and target.kind == "patch":
         _on_patch(scene, ref, target, no=not said.no)
     elif name in {"off", "in", "opposite"}:
@@ -288,6 +337,11 @@ def _on_patch(scene: Scene, ref: Ref, target: Ref, *, no: bool) -> None:
 
 def _on(scene: Scene, ref: Ref, target: Ref, word: str, *, no: bool) -> None:
     """One on one, or one on each of as many."""
+    if target.kind == "figure" and len(target.ids) == 1 and ref.kind == "block" and not no and word == "on":
+        figure = scene.figures[target.ids[0]]
+        if figure.kind != "tower" and len(ref.ids) > 1:
+            scene.pending.append((ref.ids, figure.blocks))
+            return
     if target.kind == "figure" or (target.kind == "block" and len(target.ids) > 1 and len(ref.ids) == 1):
         target = Ref("block", _tops(scene, target))
     upper = ref.ids

@@ -12,7 +12,7 @@ class Noun:
     `det`: "a", "the", "each", "all", "both", "no", "other", "another", "any", or "" for none. `bound`: "exactly",
     "least" or "most", of `count`. `noun`: "block", "patch", "table", a figure, a part, or "" where it is left out.
     `of`: the whole that it is a part of, or those that it is some of. `content`: what it is made of, told with the word
-    `made`.
+    `made`. `but`: those that are left out.
     """
 
     det: str = ""
@@ -28,6 +28,7 @@ class Noun:
     of: Phrase | None = None
     content: Phrase | None = None
     made: str = ""
+    but: Phrase | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,7 +61,14 @@ class Chain:
     parts: tuple[Phrase, ...]
 
 
-Phrase = Noun | Labels | Pronoun | Both | Chain
+@dataclass(frozen=True, slots=True)
+class Listing:
+    """What each of several figures is made of."""
+
+    parts: tuple[Phrase, ...]
+
+
+Phrase = Listing | Noun | Labels | Pronoun | Both | Chain
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,9 +115,11 @@ Predicate = Place | Made | Looks | Bears
 class Clause:
     """What is said of something; no predicate: there is such a thing, or it is to be built.
 
-    `mood`: "put" and "build" are commands, "so" says that it is so, "must" that it has to be, "there" what there is.
+    `mood`: "put" and "build" are commands, "so" says that it is so, "must" that it has to be, "there" what there is. `aside`: what is told
+    between the subject and its verb.
     """
 
     subject: Phrase
     predicates: tuple[Predicate, ...] = ()
     mood: str = ""
+    aside: Clause | None = None

@@ -16,6 +16,8 @@ _MOST = 30
 
 def tell(scene: Scene) -> str:
     """All that a scene has, block by block, figure by figure, fact by fact."""
+    if scene.pending:
+        raise Unclear
     if not scene.blocks or len(scene.blocks) > _MOST or not (scene.facts or scene.figures):
         raise Unclear
     _color_in(scene)
@@ -26,17 +28,13 @@ def tell(scene: Scene) -> str:
 
 
 def _color_in(scene: Scene) -> None:
-    """Gives blocks of no told look a colour that no other has, one for each lot."""
-    free = [color for color in _PALETTE if color not in {block.color for block in scene.blocks}]
-    lots: dict[int, str] = {}
+    """Gives blocks of no told look a colour that no other has: all of them one, so that any may stand for another."""
+    free = next((c for c in _PALETTE if c not in {block.color for block in scene.blocks}), "")
     for block in scene.blocks:
-        if block.color or block.label:
-            continue
-        if block.lot not in lots:
+        if not block.color and not block.label:
             if not free:
                 raise Unclear
-            lots[block.lot] = free.pop(0)
-        block.color = lots[block.lot]
+            block.color = free
     patches = [patch.color for patch in scene.patches]
     for patch in scene.patches:
         patch.color = patch.color or next(c for c in ("gray", *_PALETTE) if c not in patches)
@@ -117,6 +115,8 @@ def _fact(scene: Scene, fact: Fact) -> str:
         return _sentence(f"nothing must be on {a}")
     if fact.said == "table":
         return _sentence(f"{a} {must} be on the table")
+    if fact.said == "in a row":
+        return _sentence(f"{a} must be in a row")
     assert fact.b is not None
     b = _operand(scene, fact.b)
     if fact.said == "touch":
@@ -143,6 +143,8 @@ def _figure(scene: Scene, figure: Figure) -> str:
             (f" from left to right{order}" if figure.sided else f"{order} in either direction") if figure.told else ""
         )
         return _sentence(f"{names} must be in a row{side}")
+    if figure.kind == "line" and not figure.told:
+        return _sentence(f"{names} must be in a line")
     if figure.kind == "column":
         return _sentence(
             f"{names} must be in a column on the table{f' from front to back{order}' if figure.told else ''}"

@@ -68,13 +68,20 @@ def towers_told(pieces: Sequence[Piece]) -> str:
 
 
 def _parted(pieces: Sequence[Piece], count: int | None) -> tuple[list[Piece], list[_Tower]]:
-    """What is told ahead of the first of the towers, and each of these."""
+    """What is told ahead of the first of the towers, and each of these.
+
+    Raises:
+        Unclear: one of them is told of twice, or a place of all of them behind the last one.
+    """
     kinds = [piece.kind for piece in pieces]
     by_side = "slot" not in kinds and kinds.count("side") > 1
     amid = by_side and count == len(_SIDES[1])
     header: list[Piece] = []
     towers: list[_Tower] = []
     rel = ahead = None
+    said = [piece for piece in pieces if piece.kind not in ("glue", "break")]
+    if any(one.kind in ("towers", "same") and two.kind == "where" for one, two in pairwise(said)):
+        raise Unclear
     for piece in pieces:
         if piece.kind in _SHARED:
             continue

@@ -11,7 +11,7 @@ from rpg.language.grammar.rows.said_short import PLACE, THING
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.two_rows import WORDS_IN_ROWS
 from rpg.language.grammar.rows.two_words import TWO_WORDS
-from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, LIES, MANY, MUST, PATCH, PATCHES
+from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, END, LIES, LINE, MANY, MUST, PATCH, PATCHES
 
 _NEXT = (
     "(?=success\\b|the (?:task|goal|game|robot|player)\\b|goal\\b|it is\\b|now\\b|then\\b|at the end\\b|in the end\\b|"
@@ -47,6 +47,7 @@ def _in_steps(many: int) -> Turn:
     return f"^(?:(?:checklist|list|steps|plan|sequence) [.:] )?{steps}{_ORDER}$", f"first , {told} ."
 
 
+_HAS = "(?:has|contains|consists of|is made(?: up)? of|is built (?:of|from))"
 _KNOWN = f"(?:the {COLOR}(?: {CUBE}| one)?|[a-z0-9])"
 _NOW_ON = f"{LIES}(?: already| now| at the start)* on"
 _ON = "(?: \\.| ,| and| , and)"
@@ -63,6 +64,10 @@ ACROSS: tuple[Turn, ...] = (
     *map(_in_steps, (3, 2)),
     ("^the (circle|ring|row|line|column|tower|stack|square|pyramid|wall|grid) (?:has|contains|consists of|is made(?: "
      f"up)? of) (?=(?:an?|{MANY}) (?:\\w+ )+(?:and|,) [^.]+ \\.?$)", "a {1} of "),
+    # of what there is, a part is moved
+    (f"^(?:the )?({LINE}) {_HAS} (?=(?:{MANY} {CUBE}|[^.]*?{COLOR})[^.]* \\. (?:please |now |then )*(?:{_TAKE}|swap|"
+     f"turn|reverse)(?: off| away| down)? (?:the (?:{END}|middle|lowest|highest|first|last)|its|it)\\b)",
+     "there is a {1} of "),
     (f"^(.*?\\b{MANY} (?:rows|columns|lines|towers|stacks|layers)(?: of {MANY}(?: {CUBE}s)?)?) \\. (?=each (?:row|"
      "column|line|tower|stack|layer) (?:has|is|must|should) )", "{1} , "),
     (f"^(the (?:numbers|digits|letters|words|blocks|cubes) [^.?]*?|{THING}) (?:got|are|were|have been|have got) (?:all "

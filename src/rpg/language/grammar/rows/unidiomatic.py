@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from rpg.language.grammar.rows.said_short import PLACE, THING
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, END, LINE, MANY, MUST
+from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, END, LINE, MANY, MUST, PATCH, PATCHES
 
 _WHO = "(?:my|your|our|his|her|(?:the |a )?(?:viewer|observer|robot|camera|reader|onlooker|spectator) 's)"
 _FIRST = "(biggest|largest|highest|smallest|lowest)(?: one| number| digit)?"
@@ -15,6 +15,13 @@ _DOES = "(?:put|place|stack|set|lay|build|make|move|take|arrange|form|bring)"
 _SHOWING = "(?:with|(?:that|which) (?:show|bear|carry|have)|showing|bearing|carrying)"
 _HAS = "(?:contains?|comprises?|have|has|consists? of)"
 _STAY = "(?:leave|keep)"
+_GERUNDS = ("moving", "touching", "shifting", "disturbing", "lifting", "turning", "changing", "breaking", "destroying")
+_SIZED = "(?:by|in order of|according to) (?:the(?:ir)? )?size|(?:of|with|in|have|has) different sizes?"
+_WORDED = "(?: (?:one|block|cube))?"
+_AT_END = (
+    "(?=(?: (?:is|goes|comes|being|has to be|must be|should be))?(?: (?:at|in|on|to))?(?: the)? (?:bottom|top|left|"
+    "right|front|back|first|last|start|end|base|below|lowest|nearest)\\b)"
+)
 _SORT = "(vowels|consonants|letters|digits|numbers|numerals)"
 
 UNIDIOMATIC_AT_ONCE: tuple[Turn, ...] = (
@@ -24,6 +31,13 @@ UNIDIOMATIC_AT_ONCE: tuple[Turn, ...] = (
      "(?!.*\\bon (?:them|it)\\b)", "the {1} "),
     # who is meant is named ahead of its pronoun
     (f" , and ({THING}) , it (?=(?:{MUST}|is|goes|stands|lies|sits|belongs) )", " , and {1} "),
+    # one thing and then the next: behind what is done, "after" with a bare verb is "after that"
+    (f" , (?:and )?after (?={_DOES} )", " , then "),
+    (f"^(first .+?) , (?:and )?after (?={THING} (?:goes |comes )?{PLACE} {THING}$)", "{1} , then "),
+    (f"\\bthere is (?=(?!one\\b|1\\b){MANY}(?:$| of (?:them|each)\\b| {COLOR}\\b))", "there are "),
+    # which block of different sizes it is
+    *((f"^(?=.*\\b(?:{_SIZED})\\b)(.*?)(?:\\bthe )?\\b(?:{sizes}){_WORDED}{_AT_END}", f"{{1}} the {most} one ")
+      for sizes, most in (("big|large", "largest"), ("small|little|tiny", "smallest"))),
     ("\\beach one (?=(?:with|has|having) |(?:of|in) (?!the\\b|these\\b|them\\b))", "each "),
     (f"\\bthe ({COLOR}) (?=(?:are|have) (?:all )?to be )", "the {1} blocks "),
     (f"\\b({CUBE}s) ({COLOR})s\\b", "{2} {1}"),
@@ -75,10 +89,16 @@ UNIDIOMATIC: tuple[Turn, ...] = (
     (f"\\bin the (left|right) of (?={THING})(?!the table|it)", "to the {1} of "),
     ("\\bone (?:on|upon) (?:the )?other\\b", "one on top of the other"),
     (f"\\b(?:on|at|to) (?:the (?:two|both)|both the) sides of (?={THING})", "on both sides of "),
+    ("(?<! ,)(?<! but)(?<! or) not both$", " , not both"),
+    *((f"\\bwithout to {gerund[:-3]}e? ", f"without {gerund} ") for gerund in _GERUNDS),
+    (f"\\b(on|on top of|beside|next to|touching|touches|touch) other (?={CUBE}\\b)", "{1} another "),
+    ("^(?:change|exchange|swap|switch) (?:the )?(?:places?|positions?|spots?) (?:of|between) ", "swap "),
     # which and how many they are
+    (f"^(.*\\b(?:each|every|per) {PATCH}\\b.*?) , ({MANY} {PATCHES}\\b.*)$", "{1} . there are {2}"),
+    *((f"^(.*\\btower\\b.*? (?:{COLOR}|\\w)(?: {CUBE}| one)?) from (?:the )?{one}$", f"{{1}} from {one} to {other}")
+      for one, other in (("bottom", "top"), ("top", "bottom"))),
     (f"^((?:an? )?{LINE} of {MANY}) , (letters|digits|numbers|vowels|consonants) only$", "{1} {2}"),
     (f"\\ball of (?={CUBE}s\\b)", "all of the "),
-    (f"^there is (?=(?!one\\b|1\\b){MANY} {COLOR}\\b)", "there are "),
     (f"^({MUST}) be (?=(?:an?|one) )", "there {1} be "),
     (f"\\b(with|have|has) (?:the )?height of (?={MANY} {CUBE}s)", "{1} a height of "),
     (f"\\b(with|have|has) ({MANY} {CUBE}s) of height\\b", "{1} a height of {2}"),

@@ -17,7 +17,7 @@ from rpg.language.grammar.structures.modifiers import DETAILS, EDGES, MODIFIERS,
 from rpg.language.grammar.structures.ring_around import ring_around, with_a_ring
 from rpg.language.grammar.structures.shapes import noun, upside_down
 from rpg.language.grammar.structures.sizes import dimensions, in_lines, layers_of, rows_and_columns
-from rpg.language.grammar.structures.superlatives import largest
+from rpg.language.grammar.structures.superlatives import RANKS, largest, one_of_several
 from rpg.language.grammar.things import amounts
 from rpg.language.grammar.things.adjectives import EMPTY, Marks, adjective, merge
 from rpg.language.grammar.things.amounts import Quantity
@@ -80,6 +80,7 @@ def structure(p: Parser, i: int) -> Results[Meaning]:
         yield from _tail(p, i, j, Structure(kind="grid", dims=dims, span=p.span(i, j)))
         return
     yield from _as_many_symbols(p, i)
+    yield from one_of_several(p, i)
     yield from bar_chart(p, i)
     yield from with_a_ring(p, i)
     yield from copies(p, i)
@@ -202,7 +203,7 @@ def _piece(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
             yield _Before(marks=Marks({k: v for k, v in marks.items() if k != "target"})), j
     if p.lex(i, lexicon.BLOCK) is not None:
         yield _Before(), i + 1
-    if rank := p.peek(i, _RANKS):
+    if rank := p.peek(i, RANKS):
         yield _Before(marks=Marks({"rank": rank})), p.reach(i + 1)
 
 
@@ -259,13 +260,6 @@ def _laid_before(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
 _UPON = frozenset({"on", "over", "above", "atop"})
 _ON = _UPON | {"under", "below"}
 _STRUCTURES = frozenset(lexicon.STRUCTURE)
-_RANKS = {
-    "left": "left", "right": "right", "front": "front", "back": "back", "middle": "middle", "last": "last",
-    "near": "front", "far": "back",
-    **dict.fromkeys(("taller", "tallest", "higher", "highest", "longer", "longest"), "most"),
-    **dict.fromkeys(("shorter", "shortest"), "least"), **{word: str(n) for word, n in lexicon.ORDINAL.items()},
-}  # fmt: skip
-"""Which of several structures is meant."""
 
 
 @choice

@@ -1,15 +1,17 @@
-"""Structures that are to be as large as they can be: "the tallest tower you can build from five blocks". They are made
-of all the blocks that are named, or of as many as any other such structure."""
+"""Structures told by how they compare. Those that are to be as large as they can be, "the tallest tower you can build
+from five blocks", are made of all the blocks that are named, or of as many as any other such structure; "the taller of
+the two towers" is one of those that there are."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
+from rpg.language import lexicon
 from rpg.language.grammar.core import Parser
 from rpg.language.grammar.structures.shapes import noun
 from rpg.language.grammar.structures.sizes import OF_WHAT
 from rpg.language.grammar.talk.slots import Patterns
-from rpg.language.meaning import Amount, Noun, Structure
+from rpg.language.meaning import Amount, Noun, Structure, Traits
 
 _MOST = {"stack": frozenset({"tallest", "highest", "biggest", "largest"}),
          **dict.fromkeys(("row", "line"), frozenset({"longest", "biggest", "largest"}))}  # fmt: skip
@@ -49,3 +51,28 @@ def largest(p: Parser, i: int) -> Iterator[tuple[Structure, int]]:
             continue
         if end > k or possible > most + 1 or (p.follows(i, _MADE) and p.stands(end, _MADE_OF)):
             yield Structure(kind=kind, det="a", amount=Amount(1, 1), span=p.span(i, end)), end
+
+
+RANKS = {
+    "left": "left", "right": "right", "front": "front", "back": "back", "middle": "middle", "last": "last",
+    "near": "front", "far": "back",
+    **dict.fromkeys(("taller", "tallest", "higher", "highest", "longer", "longest"), "most"),
+    **dict.fromkeys(("shorter", "shortest"), "least"), **{word: str(n) for word, n in lexicon.ORDINAL.items()},
+}  # fmt: skip
+"""Which of several structures is meant."""
+
+
+def one_of_several(p: Parser, i: int) -> Iterator[tuple[Structure, int]]:
+    """ "the taller of the two towers", "the left one of the rows"; "the left of" them alone is where something is."""
+    rank = p.peek(j, RANKS) if (j := p.one(i, "the")) else None
+    if rank is None:
+        return
+    one = p.one(j + 1, ("one", "tower", "stack", "row", "line", "column"))
+    of = p.any_of(one or j + 1, ("of the", "of these", "of those"))
+    if not of or not (one or rank in ("most", "least") or rank.isdigit()):
+        return
+    for (kind, plural), k in noun(p, of + 1 if p.number(of) else of):
+        if plural:
+            many = p.number(of)
+            told = Amount(many, many) if many else None
+            yield Structure(kind=kind, det="the", traits=Traits(rank=rank), amount=told, span=p.span(i, k)), k

@@ -17,6 +17,7 @@ _AT = frozenset({"on", "at", "in", "next", "beside", "behind", "left", "right", 
 _THERE = frozenset({"take", "unstack", "dismantle", "disassemble", "apart", "keep", "leave", "move", "reverse",
                     "remove", "upside", "swap", "off", "rebuild", "invert", "restack"})  # fmt: skip
 """Words of what is done with a tower that is there."""
+_ONE = frozenset({"one", *lexicon.BLOCK, *lexicon.COLOR})
 _ARTICLES = frozenset({"a", "an", "one", "another", "each", "two", "three", "four", "both"})
 
 
@@ -44,7 +45,7 @@ def line_told_behind(tokens: list[Token]) -> list[Token] | None:
 def _made_of(part: list[Token], line: str) -> list[Token]:
     """What a sentence tells the tower to be made of, if it tells no more."""
     words = [token.word for token in part]
-    at = behind(words, 0, (("the", line), ("it",), ("this", line), ("that", line)))
+    at = behind(words, 0, (("the", line), ("it",), ("this", line), ("that", line), (line,)))
     of = behind(words, at, _IS_OF) if at else 0
     told = part[of:-1] if part[-1].word in STOPS else part[of:]
     plain = of and told and told[0].word not in _AT and not any(t.word in _THERE | lexicon.VERB.keys() for t in told)
@@ -66,6 +67,8 @@ def _looks(words: list[str], line: str) -> list[str]:
 
 
 def _in_place(rest: list[Token], name: list[Token]) -> list[Token]:
-    """The words with the first "it" by its name."""
+    """The words with the first "it" by its name, unless that is a block that is named ahead of it."""
     at = next((n for n, token in enumerate(rest) if token.word == "it"), None)
-    return rest if at is None else [*rest[:at], *name, *rest[at + 1 :]]
+    if at is None or any(token.word in _ONE for token in rest[:at]):
+        return rest
+    return [*rest[:at], *name, *rest[at + 1 :]]

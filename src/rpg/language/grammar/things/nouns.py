@@ -20,8 +20,7 @@ from rpg.language.grammar.things.had_relatives import told_traits, wished_of_new
 from rpg.language.grammar.things.in_line import in_line, unnamed_ends
 from rpg.language.grammar.things.joined import all_but, apposed, more, of_each, only_these
 from rpg.language.grammar.things.labels import label_list, of_such, once_more
-from rpg.language.grammar.things.of_both import counted_kinds
-from rpg.language.grammar.things.of_listed import wholes
+from rpg.language.grammar.things.partitives import of_these, partitive
 from rpg.language.grammar.things.patch_nouns import patch_noun
 from rpg.language.grammar.things.printed import in_one_color, printed, turned_part, with_symbols
 from rpg.language.grammar.things.pronouns import pronoun
@@ -115,13 +114,13 @@ def simple(p: Parser, i: int) -> Results[Meaning]:
                 if isinstance(block, Noun) and block.head != "patch" and block.traits.scheme is None
             )
         if found.partitive:
-            yield from _partitive(p, i, j, found)
+            yield from partitive(p, i, j, found)
         else:
             ended = "or" if p.words[i] == "either" else None
             yield from ((noun, k) for noun, k in _noun(p, i, j, found) if p.words[k] != ended)
     yield from _noun(p, i, i, _SINGLE)
     if of := p.one(i, "of"):
-        yield from _of_these(p, i, of)
+        yield from of_these(p, i, of)
 
 
 _SIGNS = {
@@ -135,14 +134,6 @@ _SIGNS = {
     for det in ("the", "an" if name[0] in "e" else "a", *(("one",) if name.endswith("sign") else ()))
 }  # fmt: skip
 """Blocks by the signs that they show; a plus sign may be a figure as well."""
-
-
-def _of_these(p: Parser, i: int, of: int) -> Results[Meaning]:
-    """ "of the four red blocks, two ..."."""
-    for whole, j in simple(p, of):
-        if isinstance(whole, Noun) and (whole.plural or whole.amount):
-            for found, k in amounts.amount(p, p.opt(j, ",")):
-                yield Noun(head=whole.head, det="some", amount=found, plural=True, part_of=whole, span=p.span(i, k)), k
 
 
 @choice
@@ -177,35 +168,6 @@ def _part(p: Parser, i: int) -> Results[Meaning]:
             if isinstance(whole, TableTop):
                 continue
             yield PartOf(part=_PARTS[phrase], whole=whole, span=p.span(i, end)), end
-
-
-_THESE = ("them", "these", "those", "the others", "the rest", "others")
-
-
-def _partitive(p: Parser, i: int, j: int, found: Quantity) -> Results[Meaning]:
-    """ "two of the four red blocks", "none of them"."""
-    for whole, end in wholes(p, j, found.det):
-        if isinstance(whole, Noun) and whole.head == "any" and whole.det == "the" and found.det in ("all", "no"):
-            whole = replace(whole, plural=whole.plural or bool(whole.traits.colors))
-        if isinstance(whole, Noun) and found.det == "not all" and whole.det == "bare":
-            whole = replace(whole, det="the", plural=True)  # "not all red blocks", "not every red block"
-        known = isinstance(whole, Noun) and whole.det in ("the", "bare", "its", "other", "all")
-        if isinstance(whole, Noun) and known and (whole.plural or whole.amount):
-            plain = whole.det == "bare" and whole.amount is None
-            if plain and found.det != "some":
-                continue
-            if found.det == "all" and whole.det == "the" and whole.amount is not None and whole.part_of is None:
-                yield replace(whole, det="all", span=p.span(i, end)), end
-                continue
-            span = p.span(i, end)
-            part = Noun(head=whole.head, det=found.det, amount=found.amount, plural=True, part_of=whole, span=span)
-            yield part, end
-            for both, k in more(p, j, (whole,), end, None) if whole.det == "the" else ():
-                if counted_kinds(both, found.det):
-                    yield replace(part, part_of=both, span=p.span(i, k)), k
-        elif isinstance(whole, Coord) or (isinstance(whole, Pronoun) and whole.word in _THESE):
-            span = p.span(i, end)
-            yield Noun(head="any", det=found.det, amount=found.amount, plural=True, part_of=whole, span=span), end
 
 
 @choice

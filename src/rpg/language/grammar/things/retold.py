@@ -141,7 +141,13 @@ def apposed(before: Clause, item: Meaning) -> bool:
 
 
 def told_anew(before: Meaning, item: Meaning) -> bool:
-    """ "a tower of three blocks, four red ones": blocks of no look and a comma, and then so many that have one."""
+    """ "a tower of three blocks, four red ones": blocks of no look and a comma, and then so many that have one; "a row
+    of three, the left one", "the word CAT, its first letter": a structure and a comma, and then one of its blocks."""
+    if isinstance(item, Noun) and item.head != "patch" and item.det in ("the", "its") and not item.plural:
+        looks = item.traits.colors + item.traits.labels
+        several = isinstance(before, Noun) and before.det == "bare" and before.plural and looks
+        whole = isinstance(before, Structure) and item.traits not in (Traits(), Traits(rank="middle"))
+        return bool(several or whole) and item.amount is None and item.part_of is None
     if not (isinstance(before, Noun) and isinstance(item, Noun)) or before.traits != Traits() or before.head != "block":
         return False
     return before.amount is not None and item.amount is not None and bool(item.traits.colors)

@@ -64,6 +64,7 @@ from rpg.passes.schema.resolve.places.stacking import Towers
 from rpg.passes.schema.resolve.structures.by_looks import as_results
 from rpg.passes.schema.resolve.structures.heaps import heaped_up
 from rpg.passes.schema.resolve.structures.lined_towers import mixed_line
+from rpg.passes.schema.resolve.structures.some_of_several import of_so_many
 from rpg.passes.schema.resolve.structures.structures import make
 from rpg.passes.schema.resolve.structures.towers import on_matching_patches
 from rpg.passes.schema.resolve.things.alike import by_likeness, counterparts
@@ -149,8 +150,7 @@ def _first_thats(theme: Meaning, spec: Spec, scene: Scene) -> None:
 def not_both(goals: Goals, span: Span) -> Goals:
     """ "either ... or ..., but not both"."""
     if len(goals) != 1 or not isinstance(goals[0], g.Any):
-        hint = "say 'either ... or ..., but not both'"
-        raise refuse("misplaced", "'but not both' needs two alternatives", span, hint)
+        raise refuse("misplaced", "'but not both' needs two alternatives", span, "say 'either ... or ... but not both'")
     parts = goals[0].goals
     return [g.All(goals=(goals[0], g.Not(goal=g.All(goals=parts, span=span), span=span)), span=span)]
 
@@ -163,8 +163,7 @@ def _is_off(place: Meaning) -> TypeGuard[Loc]:
     return isinstance(place, Loc) and place.rel == "off" and not place.negated
 
 
-_BY_VERB = {"sort": sort, "spell": spell, "read": spell, COMPARED: compared_numbers,
-            BOUNDED: bounded_heights}  # fmt: skip
+_BY_VERB = {"sort": sort, "spell": spell, "read": spell, COMPARED: compared_numbers, BOUNDED: bounded_heights}
 
 
 def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
@@ -177,8 +176,9 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         spec.places = [replace(x, mods=(*x.mods, "leaving")) if _is_off(x) else x for x in spec.places]
     if clause.mode != "given" and (pairs := counterparts(clause, spec, scene, scope)) is not None:
         return pairs
-    if (again := once_more(clause, spec, scene, scope)) is not None:
-        return again
+    for told in (once_more, of_so_many):
+        if (found := told(clause, spec, scene, scope)) is not None:
+            return found
     if clause.verb == "stack":
         scene.last_landmark_patch = False
     if clause.negated and is_shape(clause.theme) and clause.theme is not None and spec.places:

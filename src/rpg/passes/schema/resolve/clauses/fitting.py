@@ -281,8 +281,12 @@ _SINGLE = Amount(1, 1)
 
 
 def _cut_short(theme: Meaning | None) -> None:
-    """Refuse "a tower of red, blue and green" as a tower of two blocks and a third one."""
+    """Refuse "a tower of red, blue and green" as a tower of two blocks and a third one, and "two towers, the left one"
+    as something besides them."""
     for shape, other in pairwise(theme.items) if isinstance(theme, Coord) else ():
+        several = isinstance(shape, Structure) and shape.plural
+        if several and isinstance(other, Noun) and (other.head, other.det) == ("any", "the") and other.traits.rank:
+            raise _unfit("this is one of those before it", other.span, "say it in a sentence of its own")
         blocks = shape.members if isinstance(shape, Structure) else None
         items = blocks.items if isinstance(blocks, Coord) else (blocks, blocks)
         bare = [x for x in (*items, other) if isinstance(x, Noun) and x.det == "bare" and x.amount in (None, _SINGLE)]

@@ -354,7 +354,9 @@ _POINTED = ("it", "them", "that", "both", "both of them")
 def _among_members(ref: Ref, theme: Ref, before: int, scene: Scene, span: Span) -> None:
     """ "a column of three with the red one between two blue ones": the blue ones could be among the three."""
     inside = ref.built and set(theme.names) < set(ref.names)
-    if inside and len(scene.things) > before and any(scene.things[n].color is None for n in ref.names):
+    further = any(not thing.patch for thing in list(scene.things.values())[before:])
+    looks = ((scene.things[n].color, scene.things[n].label) for n in ref.names)
+    if inside and further and (None, None) in looks:
         raise refuse("ambiguous", "these could be blocks of the structure or further ones", span, "name its blocks")
 
 

@@ -39,7 +39,7 @@ def refer_structure(shape: Structure, scene: Scene, scope: Scope) -> Ref:
     """A structure as a noun phrase: one spoken of before, or a new one (whose making joins the goal)."""
     known = known_ones(shape, scene, scope.role) if shape.det in SPOKEN_OF else other_of_two(shape, scene, scope.role)
     if known:
-        if shape.amount is not None and shape.amount.low > len(known):
+        if shape.amount is not None and shape.amount.low > len(known) and not shape.traits.rank:
             raise refuse(
                 "count-mismatch", f"{shape.amount.low} are spoken of, but there are {len(known)}", shape.span,
                 f"say {len(known)}", asked=shape.amount.low, there=len(known),

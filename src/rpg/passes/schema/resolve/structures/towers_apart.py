@@ -25,7 +25,9 @@ def tell_apart(shape: Structure, scene: Scene) -> None:
     if shape.kind != "stack" or not known or shape.members is not None:
         return
     for built in [b for b in scene.built if b.kind == "towers" and b.members in scene.heights]:
-        if not _look_alike(built.members, scene) or _of_the_start(built.members, scene):
+        if not _look_alike(built.members, scene, made_so=shape.det not in _PLURAL):
+            continue
+        if _of_the_start(built.members, scene):
             continue
         heights = scene.heights[built.members]
         begins = [sum(heights[:n]) for n in range(len(heights) + 1)]
@@ -96,7 +98,7 @@ def on_their_sides(rank: str, found: list[Built], scene: Scene) -> list[Built]:
         return [built for built in found if scene.sides.get(built.key) == rank]
     names = tuple(n for built in found for n in built.members)
     like = {built.kind for built in found} == {"stack"} and len({len(built.members) for built in found}) == 1
-    if not like or not _look_alike(names, scene) or _of_the_start(names, scene):
+    if not like or not _look_alike(names, scene, made_so=True) or _of_the_start(names, scene):
         return []
     axis = axis or "y"
     sides = [_ENDS[axis][0], *["middle"] * (len(found) - 2), _ENDS[axis][1]]
@@ -118,11 +120,19 @@ def one_by_one(goal: g.Goal, scene: Scene) -> g.Goal:
     return goal
 
 
-def _look_alike(names: tuple[str, ...], scene: Scene) -> bool:
-    """Whether it is known of the blocks how they look, and that it is all the same."""
+def _look_alike(names: tuple[str, ...], scene: Scene, *, made_so: bool) -> bool:
+    """Whether the blocks look all the same; those of which no look was said are `made_so`. "Every tower has a red block
+    on top", one of its blocks or one more, is said of towers whose looks are told."""
     things = [scene.things[n] for n in names]
     looks = {(t.color, t.label, t.kind, t.size, t.edge) for t in things}
-    return len(looks) == 1 and bool(things[0].color or things[0].label)
+    told = bool(things[0].color or things[0].label)
+    if len(looks) > 1 or (not told and not made_so):
+        return False
+    if not told and any(t.kind or t.scheme not in (None, "same") for t in things):
+        return False
+    for thing in things if not told else ():
+        thing.scheme = "same"
+    return True
 
 
 def _of_the_start(names: tuple[str, ...], scene: Scene) -> bool:

@@ -4,7 +4,7 @@ which, of the two?"""
 from __future__ import annotations
 
 from rpg.language.meaning import Clause, Loc, Noun, Pronoun
-from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
+from rpg.passes.schema.resolve.things.world import Mention, Ref, Scene, Scope, refuse
 
 
 def check_off_it(word: Pronoun, scene: Scene, scope: Scope) -> None:
@@ -51,3 +51,9 @@ def check_owner(word: Pronoun, found: Ref, scene: Scene) -> None:
     if lying and scene.clause - 1 in scene.owners:
         raise refuse("ambiguous", f"{word.word!r} could be what lies there, or what has it there", word.span,
                      "name the block")  # fmt: skip
+
+
+def lies_there(mark: Mention, scene: Scene, scope: Scope) -> bool:
+    """ "(Build a row.) Put a tower on the patch to its right": what lies on the patch is not to the right of that."""
+    beside = scope.rel.removeprefix("not ") not in ("on", "in", "off", "")
+    return beside and mark.ref.patch and mark.clause == scene.clause and mark.rel in ("on", "in")

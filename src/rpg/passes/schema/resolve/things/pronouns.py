@@ -14,7 +14,7 @@ from rpg.passes.schema.resolve.things.left_of_them import (
     of_the_last,
     the_like_of_it,
 )
-from rpg.passes.schema.resolve.things.off_it import check_off_it, check_owner
+from rpg.passes.schema.resolve.things.off_it import check_off_it, check_owner, lies_there
 from rpg.passes.schema.resolve.things.others_open import made_up, not_acted_on, of_the_start
 from rpg.passes.schema.resolve.things.parallel import ACROSS, parallel
 from rpg.passes.schema.resolve.things.second_patch import one_alone, one_of_the_patches, only_one_patch
@@ -148,8 +148,8 @@ def _it(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     single = [m for m in there if len(m.ref.names) == 1 or m.ref.built]
     if scope.role == "landmark":
         current = [m for m in scene.mentions if m.clause == scene.clause and m.role in ("theme", "given")]
-        own = {n for m in current for n in m.ref.names}
-        single = [m for m in single if not own & set(m.ref.names)]
+        single = [m for m in single if not {n for x in current for n in x.ref.names} & set(m.ref.names)]
+        single = [m for m in single if not (len(current) == 1 and lies_there(m, scene, scope))] or single
     if not single and (named := named_by_the_way(scene, scope)) is not None:
         return named
     if not single:

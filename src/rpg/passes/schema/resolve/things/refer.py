@@ -313,6 +313,9 @@ def _partitive(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     if bare and noun.amount == Amount(1, 1) and noun.det in ("any", "some") and scene.built:
         raise refuse("ambiguous", "one of the blocks, or one more structure of so many?", noun.span,
                      "say 'one of the ...', or name the structure again")  # fmt: skip
+    if isinstance(noun.part_of, Structure):
+        raise refuse("ambiguous", "so many of these structures, or of their blocks?", noun.span,
+                     "say it of one of them, or of 'the blocks of' it")  # fmt: skip
     if scene.sized and isinstance(noun.part_of, Pronoun) and noun.det == "some" and not any(scene.blocks()):
         return refer(replace(noun, head="block", det="bare", part_of=None), scene, scope)  # "the cubes are 3 cm wide"
     whole = sorted_out(noun, refer(of_whom(noun), scene, scope), scene)

@@ -182,9 +182,12 @@ def _group_of(noun: Noun, scene: Scene) -> Ref | None:
 
 def _ranked(shape: Structure, found: list[Built], scene: Scene) -> list[Built]:
     """ "the first tower", "the left stack", "the taller tower": the one of those built that is meant."""
-    rank = shape.traits.rank
+    rank, told = shape.traits.rank, shape.amount.low if shape.amount is not None and not shape.plural else 1
     if rank is None:
         return found
+    if found and 1 < told != len(found):  # "the taller of the two towers"
+        raise refuse("count-mismatch", f"{told} are spoken of, but there are {len(found)}", shape.span,
+                     f"say {len(found)}", asked=told, there=len(found))  # fmt: skip
     if len(found) > 1 and (rank.isdigit() or rank == "last"):
         index = len(found) if rank == "last" else int(rank)
         return found[index - 1 : index]

@@ -55,6 +55,8 @@ def meanings(tokens: Sequence[Token]) -> list[str]:
 
 def _check_in_time(way: Sequence[Clause]) -> None:
     """What is told to be so, or to be there, ahead of a command to move something may be so at the start alone."""
+    if any(clause.first for clause in way) and not any(clause.later for clause in way):
+        raise Unclear
     moved = [n for n, clause in enumerate(way) if clause.mood == "put"]
     for clause in way[: moved[-1]] if moved else ():
         if clause.mood == "so" or (clause.mood == "there" and (clause.predicates or _is_figure(clause.subject))):

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from rpg.language.compose.items import FIGURE
 from rpg.language.compose.places import Places
-from rpg.language.compose.syntax import Bears, Clause, Looks, Made, Noun, Phrase, Place, Predicate, Pronoun
+from rpg.language.compose.syntax import Bears, Clause, Labels, Looks, Made, Noun, Phrase, Place, Predicate, Pronoun
 from rpg.language.compose.words import Ways, remembered
 
 _LEADS = (
@@ -16,7 +16,7 @@ _LEADS = (
     "there are", "there should be", "there must be", "give me", "gimme", "let us have", "let me see", "let there be",
     "can you", "could you", "would you", "will you", "show me", "get me", "let us", "let", "try to", "the goal is to",
     "the task is to", "you should", "hey", "yo", "hi", "hello", "goal :", "task :", "goal", "make sure that",
-    "make sure", "see to it that", "make it so that", "need", "at the end", "in the end", "finally",
+    "make sure", "see to it that", "make it so that", "need", "at the end", "in the end",
     "i have got", "you have got", "got", "have", "u got", "here is", "here are", "take", "use", "we got",
 )  # fmt: skip
 _BUILD = frozenset(
@@ -77,22 +77,51 @@ _STACK = frozenset({"stack", "pile"})
 _TOWER = Noun(det="a", noun="tower")
 _INTO = ("as", "in", "into", "in the shape of", "out as")
 _THERE = ("there is", "there are", "you have", "we have", "i have", "here is", "here are")
+_THEN = (
+    ", finally", ", and finally", ". finally", "; finally", "and finally", ". lastly", ", then", ". then", "; then", "and then", ", and then", ". after that", ", after that", "and after that",
+    ". afterwards", ". next", ", and after that", ", next",
+)  # fmt: skip
+_START = ("at the start", "at the beginning", "initially", "to begin with", "in the beginning", "at start", "at first")
 _FRONTED = (",", "is", "are", "goes", "go", "stands", "stand", "there is", "there are", "there should be", "sits",
             "lies", ", there is", ", there are", "must be", "should be", "place", "put", ", put", ", place", "i want",
             "comes", "build", ", build")  # fmt: skip
 _AUX = (
     "must", "should", "shall", "has to", "have to", "needs to", "need to", "is to", "are to", "may", "can", "will",
-    "ought to", "is supposed to", "are supposed to", "does", "do",
+    "ought to", "is supposed to", "are supposed to", "does", "do", "has got to", "will have to", "would",
 )  # fmt: skip
 _BE = (
     "be", "is", "are", "sits", "sit", "stands", "stand", "lies", "lie", "rests", "rest", "goes", "go", "belongs",
-    "belong", "stays", "stay", "remains", "remain", "is placed", "are placed", "be placed", "be put", "is put",
-    "are put", "is located", "are located", "be located", "be built", "is built", "are built", "is positioned",
-    "be positioned", "is stacked", "are stacked", "be stacked", "is set", "be set", "ends up", "end up", "comes",
-    "come", "is sitting", "is standing", "is lying", "are standing", "are lying", "are sitting", "is found",
-    "is to be placed", "are to be placed", "be left", "gets put", "get put", "be stood", "be laid", "is laid",
-    "gets placed", "is resting", "are resting", "leans", "standing", "sitting", "lying", "resting", "placed", "located",
+    "belong", "stays", "stay", "remains", "remain", "ends up", "end up", "comes", "come", "gets", "get", "standing",
+    "sitting", "lying", "resting", "being", "lands", "land", "ends", "end",
 )  # fmt: skip
+_DONE = frozenset(
+    [
+        "placed",
+        "put",
+        "located",
+        "positioned",
+        "set",
+        "laid",
+        "stood",
+        "left",
+        "found",
+        "stacked",
+        "built",
+        "arranged",
+        "moved",
+        "kept",
+        "sitting",
+        "standing",
+        "lying",
+        "resting",
+        "seated",
+        "situated",
+        "made",
+        "put_down",
+        "brought",
+        "formed",
+    ]
+)
 _FORM = ("form", "forms", "make", "makes", "become", "becomes", "make up", "makes up", "build", "constitute",
          "are arranged in", "are arranged as", "is arranged in", "are arranged into", "be arranged in",
          "be arranged as", "are in", "be in", "stand in", "lie in", "go in", "go into", "are stacked into",
@@ -136,6 +165,11 @@ class Reader(Places):
                 if start := self.past_any(end, words):
                     for rest in self._from(start, said=words in _WITH):
                         yield (clause, *rest)
+            for words in _THEN:
+                if start := self.past_any(end, words):
+                    for rest in self._from(start + (self.text(start) == ",")):
+                        if rest:
+                            yield (clause, replace(rest[0], later=True), *rest[1:])
 
     @remembered
     def clause(self, at: int) -> Ways[Clause]:
@@ -143,6 +177,10 @@ class Reader(Places):
         found: Ways[Clause] = []
         if self.text(at) == "which":
             found += [(Clause(Pronoun("which"), said, "must"), end) for said, end in self._verbs(at + 1)]
+        if begin := self.past_any(at, *_START, *(f"{start} ," for start in _START), "start :"):
+            found += [(replace(said, mood="start"), end) for said, end in self.clause(begin)]
+        if first := self.past_any(at, "first", "first ,", "first of all ,"):
+            found += [(replace(said, first=True), end) for said, end in self.clause(first)]
         for start in self._leads(at):
             there = any(self.past(at, lead.split()) == start for lead in _THERE)
             found += self._command(start)
@@ -153,6 +191,8 @@ class Reader(Places):
             found += [(Clause(what, said, "there" if there else ""), end) for what, said, end in self._existing(start)]
         if end := self.past_any(at, "nothing on", "none on", "nothing on top of", "nothing is on", "nothing may be on"):
             found += [(Clause(what, (Bears(None),)), stop) for what, stop in self.phrase(end)]
+        late = [(said, start) for said, end in found if (start := self.past_any(end, *_START)) and said.predicates]
+        found += [(replace(said, mood="start"), end) for said, end in late]
         return found
 
     def _leads(self, at: int) -> list[int]:
@@ -170,13 +210,14 @@ class Reader(Places):
         start = self.past_any((no or at) + 1, *_BUILD_ME) or (no or at) + 1
         found: Ways[Clause] = []
         if verb in _BUILD and not no:
-            found += self._built(start)
+            found += self._built(start, laid=verb in _PUT)
         if verb in _PUT or verb in _BUILD:
             for what, end in self.phrase(start):
                 for said, stop in self._predicates(end):
                     if isinstance(said[0], Place):
-                        stacked = (Made(_TOWER), *said) if verb in _STACK and said[0].relation == "on" else said
-                        found += [(Clause(what, way, "put"), stop) for way in {said, stacked}]
+                        if verb in _STACK and said[0].relation == "on" and _several(what):
+                            said = (Made(_TOWER), *said)
+                        found.append((Clause(what, said, "put"), stop))
         if verb in _STACK and not no:
             found += [(Clause(what, (Made(_TOWER),), "build"), end) for what, end in self.phrase(start)]
         if no:
@@ -184,12 +225,13 @@ class Reader(Places):
             found = [(clause, end) for clause, end in denied if len(clause.predicates) == 1]
         return found
 
-    def _built(self, start: int) -> Ways[Clause]:
-        """What is to be built, with what is said of it, or of what it is built."""
+    def _built(self, start: int, *, laid: bool) -> Ways[Clause]:
+        """What is to be built, with what is said of it, or of what it is built; only figures are `laid` so."""
         found: Ways[Clause] = []
         for what, end in self.phrase(start):
-            found.append((Clause(what, (), "build"), end))
-            found += [(Clause(what, said, "build"), stop) for said, stop in self._rest(end)]
+            if not laid or (isinstance(what, Noun) and what.noun in FIGURE.values()):
+                found.append((Clause(what, (), "build"), end))
+                found += [(Clause(what, said, "build"), stop) for said, stop in self._rest(end)]
             for into in {self.past_any(end, way) for way in _INTO} - {0}:
                 for figure, stop in self.single(into):
                     if isinstance(figure, Noun) and figure.noun in FIGURE.values():
@@ -292,7 +334,8 @@ class Reader(Places):
         denied = no > aux
         start = no + (self.text(no) in {"both", "all"})
         for end in {self.past_any(start, way) for way in _BE} - {0}:
-            end = end + (self.text(end) in {"both", "all"})
+            end += self.text(end) in {"both", "all"}
+            end += self.text(end) in _DONE
             not_there = self.past_any(end, "not", "never") or end
             here = [way for way in self._predicates(not_there)]
             here += [((Looks(like),), stop) for like, stop in self.single(not_there)]
@@ -329,6 +372,11 @@ class Reader(Places):
                 for more, stop in self.single(start):
                     found += [((Bears(what, place), *rest), last) for rest, last in self._borne(more, stop)]
         return found
+
+
+def _several(phrase: Phrase) -> bool:
+    """Whether more than one block is told."""
+    return not isinstance(phrase, Labels | Noun) or (isinstance(phrase, Noun) and (phrase.many or phrase.count > 1))
 
 
 def _denied(said: Predicate) -> Predicate:

@@ -65,6 +65,8 @@ def _pronoun(scene: Scene, word: str) -> Ref:
     for spoken in (scene.here, scene.before):
         fits = [ref for ref in spoken if (len(ref.ids) > 1) == many and ref.kind != "table"]
         if many and not fits and spoken is scene.before and len(scene.figures) > 1:
+            if any(figure.implied for figure in scene.figures):
+                raise Unclear
             fits = [Ref("figure", list(range(len(scene.figures))))]
         if word == "both":
             fits = [ref for ref in fits if len(ref.ids) == 2]
@@ -267,6 +269,8 @@ def _figure(scene: Scene, noun: Noun) -> Ref:
             many = noun.many or noun.det in _ALL
             if (not many and len(found) > 1) or (noun.count and noun.count != len(found)) or noun.det == "any":
                 raise Unclear
+            for n in found:
+                scene.figures[n].implied = False
             return Ref("figure", found, each=noun.det == "each")
         if noun.many or noun.det in _ALL or (noun.content is None and not noun.size):
             raise Unclear
@@ -392,6 +396,8 @@ def _made(scene: Scene, noun: Noun, kind: str) -> int:
             raise Unclear
         figure.blocks = list(ref.ids)
     elif noun.word:
+        if any(block.label in noun.word for block in scene.blocks if block.label):
+            raise Unclear
         figure.blocks = [scene.new_blocks(1, "", letter)[0] for letter in noun.word]
         figure.told = True
     else:
@@ -438,8 +444,10 @@ def _blocks(scene: Scene, noun: Noun) -> Ref:
     many = noun.many or noun.det in _ALL or noun.count > 1
     if noun.bound or noun.det in {"any", "no"} or (noun.noun == "one" and not noun.color) or noun.nth or noun.ranks:
         raise Unclear
-    if not like and (noun.noun == "one" or (noun.det and not noun.noun)) and definite:
-        raise Unclear  # "the red one" has to be known; "the red" may be a patch
+    if not like and definite and noun.det and not noun.noun:
+        raise Unclear  # "the red" may be a patch
+    if not like and definite and noun.noun == "one" and (scene.figures or not scene.blocks):
+        raise Unclear  # the red one of what?
     if noun.noun == "one" and not definite and (not scene.here or scene.here[-1].kind != "block"):
         raise Unclear
     if definite and not like and any(not block.color and not block.label for block in scene.blocks):

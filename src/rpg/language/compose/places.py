@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
+from rpg.language.compose.items import RANK
 from rpg.language.compose.phrases import BOUNDS, Phrases
 from rpg.language.compose.syntax import Place
 from rpg.language.compose.words import Ways, remembered
@@ -50,6 +51,8 @@ _HOW = {
     "directly": "directly", "right": "immediately", "immediately": "immediately", "straight": "directly",
     "flat": "flat", "somewhere": "somewhere", "anywhere": "somewhere",
 }  # fmt: skip
+_INTO_REGION = ("in the", "on the", "at the", "to the", "into the", "in", "onto the", "near the")
+_SIDES = frozenset({"left", "right", "near", "far"})
 _UNITS = {"cm": 1.0, "centimeters": 1.0, "centimetres": 1.0, "centimeter": 1.0, "mm": 0.1}
 
 
@@ -63,6 +66,10 @@ class Places(Phrases):
         for words, name in BARE:
             if end := self.past(at, words):
                 found.append((Place(name), end))
+        found += self._region(at)
+        for how, start in self._how(at):
+            if how.cm and (end := self.past_any(start, "apart", "apart from each other", "away from each other")):
+                found.append((replace(how, relation="apart"), end))
         no = self.past_any(at, "not", "never") or at
         for how, start in self._how(no):
             for words, relation in RELATIONS:
@@ -72,6 +79,29 @@ class Places(Phrases):
                         for thing, stop in self.phrase(end)
                     ]
         return found
+
+    def _region(self, at: int) -> Iterator[tuple[Place, int]]:
+        """ "in the left half of the table", "at the far edge of the table"."""
+        start = self.past_any(at, *_INTO_REGION)
+        ranks: list[str] = []
+        while start and (rank := RANK.get(self.text(start))) in _SIDES:
+            ranks.append(str(rank))
+            start += 1
+        if not start:
+            return
+        part = {"side": "half", "center": "middle"}.get(self.text(start), self.text(start))
+        end = self.past_any(start + 1, "of the table", "of table")
+        if part == "middle" and end and not ranks:
+            yield Place("region", how="in the middle"), end
+        elif part == "half" and len(ranks) == 1:
+            yield Place("region", how=f"in the {ranks[0]} half"), end or start + 1
+        elif part == "edge" and len(ranks) == 1 and end:
+            yield Place("region", how=f"at the {ranks[0]} edge"), end
+        elif part == "corner" and len(ranks) == 2 and end:
+            deep = [rank for rank in ranks if rank in {"near", "far"}]
+            wide = [rank for rank in ranks if rank in {"left", "right"}]
+            if deep and wide:
+                yield Place("region", how=f"in the {deep[0]} {wide[0]} corner"), end
 
     def _how(self, at: int) -> Iterator[tuple[Place, int]]:
         """ "directly", "somewhere", "at least 10 cm", and nothing."""

@@ -32,7 +32,8 @@ class Figure:
     """Blocks that form something, in the order of its places.
 
     `placed`: which block is at a place, as far as this was said; `told`: places matter, so that the order is told;
-    `sided`: the places of a row are counted from the left. Places of a tower are counted from the bottom, those of a
+    `sided`: the places of a row are counted from the left; `implied`: it is told by what
+    lies on what. `stage`: when it is formed, -1 at the start. Places of a tower are counted from the bottom, those of a
     row from the left, of anything else row by row from the far left, or from the top left of what stands upright.
     """
 
@@ -43,7 +44,8 @@ class Figure:
     placed: dict[int, int] = field(default_factory=dict)
     told: bool = False
     sided: bool = False
-    patch: int | None = None
+    implied: bool = False
+    stage: int = 0
 
 
 @dataclass(slots=True)
@@ -68,13 +70,17 @@ class Ref:
 
 @dataclass(frozen=True, slots=True)
 class Fact:
-    """A sentence of the goal: `a`, a verb phrase, and what it relates to. Operands are lists of blocks, or figures."""
+    """A sentence of the goal: `a`, a verb phrase, and what it relates to. Operands are lists of blocks, or figures.
+
+    `stage`: which of several in turn it is of, from 0 on; -1 at the start.
+    """
 
     a: Ref
     said: str
     b: Ref | None = None
     c: Ref | None = None
     no: bool = False
+    stage: int = 0
 
 
 @dataclass
@@ -96,6 +102,7 @@ class Scene:
     before: list[Ref] = field(default_factory=list)
     here: list[Ref] = field(default_factory=list)
     lots: int = 0
+    stage: int = 0
     pending: list[tuple[list[int], list[int]]] = field(default_factory=list)
 
     def new_blocks(self, count: int, color: str = "", label: str = "") -> list[int]:

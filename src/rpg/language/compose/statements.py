@@ -20,6 +20,17 @@ _FIRST_ROW = {"left": ("left",), "right": ("right",), "middle": ("middle",)}
 def say(scene: Scene, clause: Clause) -> None:
     """Puts what a clause says into the scene. Raises Unclear where it does not say it clearly."""
     scene.next_clause()
+    facts, figures = len(scene.facts), len(scene.figures)
+    _say(scene, clause)
+    if clause.later:
+        scene.stage += 1
+    for n in range(facts, len(scene.facts)):
+        scene.facts[n] = replace(scene.facts[n], stage=-1 if clause.mood == "start" else scene.stage)
+    for figure in scene.figures[figures:]:
+        figure.stage = -1 if clause.mood == "start" else scene.stage
+
+
+def _say(scene: Scene, clause: Clause) -> None:
     subject = clause.subject
     if isinstance(subject, Chain):
         if clause.predicates:
@@ -134,6 +145,8 @@ def _said(scene: Scene, ref: Ref, said: Predicate) -> None:
         _looks(scene, ref, said.like)
     elif isinstance(said, Bears):
         _bears(scene, ref, said)
+    elif said.relation == "region":
+        _in_region(scene, ref, said)
     elif said.of is None:
         _bare(scene, ref, said)
     else:
@@ -158,10 +171,15 @@ def _forms(scene: Scene, ref: Ref, phrase: Phrase) -> None:
         raise Unclear
     if phrase.count > 1 or phrase.det not in {"a", ""} or phrase.color:
         raise Unclear
-    made = replace(phrase, det="a", content=Pronoun("them"))
+    in_order = phrase.ranks == ("left",)
+    if in_order and len({scene.blocks[n].look for n in ref.ids}) < len(ref.ids):
+        raise Unclear
+    made = replace(phrase, det="a", ranks=(), content=Pronoun("them"))
     here, scene.here = scene.here, [Ref("block", ref.ids)]
-    resolve(scene, made)
+    figure = scene.figures[resolve(scene, made).ids[0]]
     scene.here = [*here, *scene.here[1:]]
+    if in_order:
+        figure.told = figure.sided = True
 
 
 def _in_line(scene: Scene, ref: Ref, phrase: Noun) -> None:
@@ -236,15 +254,22 @@ def _tops(scene: Scene, ref: Ref) -> list[int]:
 def _bare(scene: Scene, ref: Ref, said: Place) -> None:
     """A place that is told without what it is a place of."""
     name = said.relation
-    if name in {"free", "table", "flat"} and ref.kind == "block" and not ref.bound:
+    if name == "free" and ref.kind == "patch" and not said.no:
+        scene.facts += [Fact(Ref("patch", [n]), "empty") for n in ref.ids]
+    elif name in {"free", "table", "flat"} and ref.kind == "block" and not ref.bound:
         word = {"free": "clear", "table": "table", "flat": "table"}[name]
         if said.no:
             raise Unclear
         scene.facts += [Fact(Ref("block", [n]), word) for n in ref.ids]
     elif name in {"side by side", "touching", "apart"} and not ref.each and not ref.bound:
+        if ref.rest:
+            raise Unclear
         if len(ref.ids) != 2 and (name != "apart" and not said.no):
             raise Unclear
         word = {"side by side": "next to", "touching": "touch", "apart": "apart"}[name]
+        if said.cm:
+            bound = {"least": "at least ", "most": "at most "}.get(said.bound, "")
+            word = f"{bound}{said.cm:g} cm from"
         scene.facts += [
             Fact(Ref(ref.kind, [a]), word, Ref(ref.kind, [b]), no=said.no) for a, b in combinations(ref.ids, 2)
         ]
@@ -252,6 +277,13 @@ def _bare(scene: Scene, ref: Ref, said: Place) -> None:
         _in_figure(scene, ref, name)
     else:
         raise Unclear
+
+
+def _in_region(scene: Scene, ref: Ref, said: Place) -> None:
+    if ref.kind not in {"block", "figure"} or said.no or ref.bound:
+        raise Unclear
+    for ids in (scene.figures[n].blocks for n in ref.ids) if ref.kind == "figure" else (ref.ids,):
+        scene.facts.append(Fact(Ref("block", ids), f"{said.how} of the table"))
 
 
 def _in_figure(scene: Scene, ref: Ref, name: str) -> None:
@@ -358,9 +390,13 @@ def _on(scene: Scene, ref: Ref, target: Ref, word: str, *, no: bool) -> None:
         raise Unclear
     if any(n in scene.used for n in upper) and len(upper) > 1:
         raise Unclear
-    scene.facts += [
-        Fact(Ref("block", [a]), word, Ref("block", [b]), no=no) for a, b in zip(upper, target.ids, strict=True)
-    ]
+    for a, b in zip(upper, target.ids, strict=True):
+        scene.facts.append(Fact(Ref("block", [a]), word, Ref("block", [b]), no=no))
+        if word == "on" and not no and (tower := next((f for f in scene.figures if f.blocks[-1] == b), None)):
+            if tower.implied:
+                tower.blocks.append(a)
+        elif word == "on" and not no and not any({a, b} & set(f.blocks) for f in scene.figures):
+            scene.figures.append(Figure("tower", [b, a], told=True, implied=True))
 
 
 def _beside(scene: Scene, ref: Ref, target: Ref, said: Place) -> None:

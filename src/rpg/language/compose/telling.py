@@ -22,9 +22,28 @@ def tell(scene: Scene) -> str:
         raise Unclear
     _color_in(scene)
     _check_told_of(scene)
-    said = [_assets(scene), *(_figure(scene, figure) for figure in scene.figures)]
-    said += [_fact(scene, fact) for fact in scene.facts]
+    figures = [figure for figure in scene.figures if not figure.implied]
+    last = max((n.stage for n in (*figures, *scene.facts)), default=0)
+    told = {stage: _of_stage(scene, figures, stage) for stage in range(-1, last + 1)}
+    said = [_assets(scene), *(f"At the start, {_small(sentence)}" for sentence in told[-1])]
+    if last > 0:
+        if not all(told[stage] for stage in range(last + 1)):
+            raise Unclear
+        parts = [" and ".join(_small(sentence).rstrip(".") for sentence in told[stage]) for stage in range(last + 1)]
+        said += [f"{'Then' if n else 'First'}, {part}." for n, part in enumerate(parts)]
+    else:
+        said += told[0]
     return " ".join(dict.fromkeys(said))
+
+
+def _of_stage(scene: Scene, figures: list[Figure], stage: int) -> list[str]:
+    said = [_figure(scene, figure) for figure in figures if figure.stage == stage]
+    return [*said, *(_fact(scene, fact) for fact in scene.facts if fact.stage == stage)]
+
+
+def _small(sentence: str) -> str:
+    """A sentence that goes on behind something."""
+    return sentence if sentence[1:2] == " " else f"{sentence[0].lower()}{sentence[1:]}"
 
 
 def _color_in(scene: Scene) -> None:
@@ -115,8 +134,10 @@ def _fact(scene: Scene, fact: Fact) -> str:
         return _sentence(f"nothing must be on {a}")
     if fact.said == "table":
         return _sentence(f"{a} {must} be on the table")
-    if fact.said == "in a row":
-        return _sentence(f"{a} must be in a row")
+    if fact.said == "in a row" or (fact.b is None and fact.said.endswith("of the table")):
+        return _sentence(f"{a} must be {fact.said}")
+    if fact.said == "empty":
+        return _sentence(f"{a} must be empty")
     assert fact.b is not None
     b = _operand(scene, fact.b)
     if fact.said == "touch":

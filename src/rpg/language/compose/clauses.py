@@ -182,7 +182,7 @@ class Reader(Places):
         if first := self.past_any(at, "first", "first ,", "first of all ,"):
             found += [(replace(said, first=True), end) for said, end in self.clause(first)]
         for start in self._leads(at):
-            there = any(self.past(at, lead.split()) == start for lead in _THERE)
+            there = start > at and any(self.past(at, lead.split()) == start for lead in _THERE)
             found += self._command(start)
             found += self._fronted(start)
             if self.text(start) in {"spell", "write"}:
@@ -300,7 +300,8 @@ class Reader(Places):
                 det="a", noun="row", ranks=("left",) if "left" in [i.text for i in self.items[start:end]] else ()
             )
             looks.append(((Made(row),), end))
-        return [*looks, *self._predicates(start), *self._verbs(start)]
+        verbs = self._verbs(start) if start > at or self.text(start).endswith("ing") else []
+        return [*looks, *self._predicates(start), *verbs]
 
     @remembered
     def _predicates(self, at: int) -> Ways[tuple[Predicate, ...]]:
@@ -314,7 +315,8 @@ class Reader(Places):
             found.append(((place,), end))
             ways = {self.past_any(end, way) for way in ("and", "but", ", but", ", and", ",")} - {0}
             for start in ways:
-                found += [((place, *more), stop) for more, stop in (*self._predicates(start), *self._verbs(start))]
+                more_said = [*self._predicates(start), *(self._verbs(start) if self.text(start - 1) != "," else ())]
+                found += [((place, *more), stop) for more, stop in more_said]
         return found
 
     @remembered
@@ -333,9 +335,8 @@ class Reader(Places):
         no = self.past_any(aux, "not", "never") or aux
         denied = no > aux
         start = no + (self.text(no) in {"both", "all"})
-        for end in {self.past_any(start, way) for way in _BE} - {0}:
-            end += self.text(end) in {"both", "all"}
-            end += self.text(end) in _DONE
+        ends = {end + (self.text(end) in {"both", "all"}) for way in _BE if (end := self.past_any(start, way))}
+        for end in sorted(ends | {end + 1 for end in ends if self.text(end) in _DONE}):
             not_there = self.past_any(end, "not", "never") or end
             here = [way for way in self._predicates(not_there)]
             here += [((Looks(like),), stop) for like, stop in self.single(not_there)]

@@ -64,6 +64,7 @@ def _pronoun(scene: Scene, word: str) -> Ref:
     many = word in {"they", "their", "them", "these", "those", "both"}
     for spoken in (scene.here, scene.before):
         fits = [ref for ref in spoken if (len(ref.ids) > 1) == many and ref.kind != "table"]
+        fits = [ref for ref in fits if not _is_subject(scene, ref)]
         if many and not fits and spoken is scene.before and len(scene.figures) > 1:
             if any(figure.implied for figure in scene.figures):
                 raise Unclear
@@ -84,6 +85,11 @@ def _pronoun(scene: Scene, word: str) -> Ref:
     raise Unclear
 
 
+def _is_subject(scene: Scene, ref: Ref) -> bool:
+    """Whether this is, or is one of, what something is being said of: "it" is something else then."""
+    return scene.subject is not None and ref.kind == scene.subject[0] and set(ref.ids) <= set(scene.subject[1])
+
+
 def _last(scene: Scene) -> Ref:
     """What "which" stands for: what is told right before it."""
     spoken = scene.here or scene.before
@@ -93,7 +99,7 @@ def _last(scene: Scene) -> Ref:
 
 
 def _noun(scene: Scene, noun: Noun) -> Ref:
-    if noun.det == "other":
+    if noun.det == "other" and noun.noun not in _PARTS:
         return _others(scene, noun)
     if noun.of is not None and (noun.noun in _PARTS or noun.ranks or noun.nth):
         if noun.noun not in _FIGURES or noun.noun in {"row", "column"}:
@@ -152,8 +158,11 @@ def part(scene: Scene, noun: Noun) -> Ref:
     for figure in figures:
         at = places(figure, said, noun.nth, noun.count)
         if noun.det == "other":
-            raise Unclear
+            at = [n for n in at if (figure.blocks, n) != scene.place]
+            if len(at) != 1 or scene.place is None or scene.place[0] is not figure.blocks:
+                raise Unclear
         scene.settle(figure)
+        scene.place = (figure.blocks, at[0]) if len(at) == 1 else None
         figure.sided |= bool(_SIDES & set(said)) and figure.kind == "row"
         ids += [figure.blocks[n] for n in at]
     if noun.color and any(scene.blocks[n].color != noun.color for n in ids):
@@ -172,7 +181,7 @@ def part(scene: Scene, noun: Noun) -> Ref:
 
 def _whole_figures(scene: Scene, noun: Noun) -> list[Figure]:
     """The figures that a part is of: those said, or the one that was spoken of last."""
-    if noun.of is not None:
+    if noun.of is not None and noun.of != Pronoun("it"):
         ref = resolve(scene, noun.of)
         if ref.kind == "figure":
             return [scene.figures[n] for n in ref.ids]
@@ -183,6 +192,7 @@ def _whole_figures(scene: Scene, noun: Noun) -> list[Figure]:
     for spoken in (scene.here, scene.before):
         found = {n for ref in spoken if ref.kind == "figure" for n in ref.ids}
         if len(found) == 1:
+            scene.mention(Ref("figure", list(found)))
             return [scene.figures[found.pop()]]
         if found:
             raise Unclear
@@ -199,7 +209,7 @@ def _others(scene: Scene, noun: Noun) -> Ref:
         if len(left) != (noun.count or 1) or not spoken:
             raise Unclear
         return Ref("figure", left)
-    if noun.noun in _PARTS or noun.noun == "patch":
+    if noun.noun == "patch":
         raise Unclear
     left = [n for n in scene.whole if n not in scene.taken]
     if not scene.taken or not left or (noun.count and noun.count != len(left)):
@@ -218,6 +228,8 @@ def _some_of(scene: Scene, noun: Noun) -> Ref:
         raise Unclear
     whole = resolve(scene, noun.of) if noun.of is not None else Ref("block", list(scene.whole))
     scene.here = here  # those that are meant are spoken of, not those that they are some of
+    if whole.kind == "figure" and noun.noun in {"block", "one"}:
+        whole = Ref("block", [n for at in whole.ids for n in scene.figures[at].blocks])
     ids = whole.ids
     if noun.det in _ALL:
         if noun.det == "both" and len(ids) != 2:
@@ -401,6 +413,9 @@ def _made(scene: Scene, noun: Noun, kind: str) -> int:
         figure.blocks = [scene.new_blocks(1, "", letter)[0] for letter in noun.word]
         figure.told = True
     else:
+        alike = [f for f in scene.figures if f.kind == kind]
+        if noun.det == "another" and not size and alike and noun.color:
+            size = (len(alike[-1].blocks),)
         if not noun.color and any(f.kind == kind and scene.blocks[f.blocks[0]].color for f in scene.figures):
             raise Unclear  # of the same colour as that one, or of another
         many = size[0] if len(size) == 1 else size[0] * size[1] if len(size) == 2 else _DEFAULT.get(kind, 0)

@@ -181,13 +181,13 @@ class Phrases(Text):
         det = _DETS.get(self.text(at))
         if det:
             starts.append((Noun(det=det), at + 1))
-        found: Ways[Phrase] = []
-        if self.text(at) == "another":
-            found += self._behind(Noun(det="another", noun="one"), at + 1)
             if self.text(at) == "the" and self.text(at + 1) == "only":
                 starts.append((Noun(det="the"), at + 2))
             if self.text(at) == "a" and self.text(at + 1) in {"second", "third", "further", "fourth"}:
                 starts.append((Noun(det="another"), at + 2))
+        found: Ways[Phrase] = []
+        if self.text(at) == "another":
+            found += self._behind(Noun(det="another", noun="one"), at + 1)
         for start, end in list(starts):
             for amount, stop in self._amount(end):
                 if not start.det or not amount.bound:
@@ -237,6 +237,8 @@ class Phrases(Text):
     def _behind(self, noun: Noun, at: int) -> Ways[Phrase]:
         """What stands behind a noun: what it is made of, what it is a part of, how high it is."""
         found: Ways[Phrase] = [(noun, at)]
+        if noun.noun in FIGURE.values() and self.text(at) == "in" and (color := COLOR.get(self.text(at + 1))):
+            found.append((replace(noun, color=color), at + 2))
         if noun.noun in FIGURE.values() or (noun.noun == "one" and noun.det in {"a", "another"}):
             for measured, end in [(noun, at), *self._measured(noun, at)]:
                 if end != at:
@@ -251,7 +253,19 @@ class Phrases(Text):
         elif noun.noun != "table":
             found += [(replace(noun, of=whole), stop) for whole, stop in self._whole(at)]
             found += self._counted_from(noun, at)
+            if noun.noun in {"block", "one"} and noun.det == "the" and not noun.ranks:
+                found += self._at_a_part(noun, at)
         return found
+
+    def _at_a_part(self, noun: Noun, at: int) -> Iterator[tuple[Phrase, int]]:
+        """ "the one at the far right corner", "the block at the other end"."""
+        start = self.past_any(at, "at the", "in the", "on the")
+        other = self.text(start) == "other" if start else False
+        for part, end in self._head(start + other, noun) if start else ():
+            if part.noun in PART.values():
+                told = replace(part, det="other" if other else "the")
+                yield told, end
+                yield from ((replace(told, of=whole), stop) for whole, stop in self._whole(end))
 
     def _content(self, at: int) -> Ways[Phrase]:
         """ "of three red blocks", ", blue over red", ", one of two red blocks and one of three blue ones"."""

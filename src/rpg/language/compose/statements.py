@@ -37,7 +37,14 @@ def _say(scene: Scene, clause: Clause) -> None:
             raise Unclear
         _stacked(scene, subject)
         return
-    if scene.pending and isinstance(subject, Noun) and subject.count == 1 and not subject.color and not subject.ranks:
+    if (
+        scene.pending
+        and isinstance(subject, Noun)
+        and subject.count < 2
+        and not subject.det
+        and not subject.color
+        and not subject.ranks
+    ):
         _one_by_one(scene, subject, clause.predicates)
         return
     if _each_of_a_new_one(subject, clause.predicates):
@@ -48,8 +55,10 @@ def _say(scene: Scene, clause: Clause) -> None:
         _said(scene, resolve(scene, clause.aside.subject), clause.aside.predicates[0])
     if not clause.predicates:
         _there_is(scene, ref)
+    scene.subject = (ref.kind, ref.ids)
     for said in clause.predicates:
         _said(scene, ref, said)
+    scene.subject = None
     if clause.predicates and ref.kind == "block":
         scene.used.update(ref.ids)
 
@@ -176,8 +185,9 @@ def _forms(scene: Scene, ref: Ref, phrase: Phrase) -> None:
         raise Unclear
     made = replace(phrase, det="a", ranks=(), content=Pronoun("them"))
     here, scene.here = scene.here, [Ref("block", ref.ids)]
+    subject, scene.subject = scene.subject, None
     figure = scene.figures[resolve(scene, made).ids[0]]
-    scene.here = [*here, *scene.here[1:]]
+    scene.here, scene.subject = [*here, *scene.here[1:]], subject
     if in_order:
         figure.told = figure.sided = True
 
@@ -262,7 +272,7 @@ def _bare(scene: Scene, ref: Ref, said: Place) -> None:
             raise Unclear
         scene.facts += [Fact(Ref("block", [n]), word) for n in ref.ids]
     elif name in {"side by side", "touching", "apart"} and not ref.each and not ref.bound:
-        if ref.rest:
+        if ref.rest and said.cm:
             raise Unclear
         if len(ref.ids) != 2 and (name != "apart" and not said.no):
             raise Unclear
@@ -289,6 +299,10 @@ def _in_region(scene: Scene, ref: Ref, said: Place) -> None:
 def _in_figure(scene: Scene, ref: Ref, name: str) -> None:
     """ "on top", "at the left end": in the figure that was spoken of, if it is one of its blocks; else on or beside."""
     spoken = [r for refs in (scene.here, scene.before) for r in refs if r.kind == "figure" and r is not ref]
+    if ref.kind == "block" and len(ref.ids) == 1 and (own := scene.figure_of(ref.ids[0])) is not None:
+        spoken = [Ref("figure", [scene.figures.index(own)])]
+    if len({tuple(r.ids) for r in spoken}) > 1:
+        raise Unclear
     last = spoken[0] if spoken else None
     if last is not None and any(scene.blocks[n].look[2] for at in last.ids for n in scene.figures[at].blocks):
         raise Unclear  # it may be one of its blocks
@@ -300,6 +314,7 @@ def _in_figure(scene: Scene, ref: Ref, name: str) -> None:
         if len(at) != 1 or figure.told or figure.placed.get(at[0], ref.ids[0]) != ref.ids[0]:
             raise Unclear
         figure.placed[at[0]] = ref.ids[0]
+        scene.place = (figure.blocks, at[0])
         figure.sided |= name in {"left", "right"}
         return
     if name == "top" and ref.kind == "block":

@@ -18,7 +18,7 @@ from rpg.language.compose.clauses import Reader
 from rpg.language.compose.items import FIGURE, items_of
 from rpg.language.compose.scene import Scene, Unclear
 from rpg.language.compose.statements import say
-from rpg.language.compose.syntax import Clause, Noun, Phrase
+from rpg.language.compose.syntax import Chain, Clause, Noun, Phrase, Place, Pronoun
 from rpg.language.compose.telling import tell
 from rpg.language.tokens import Token, tokenize
 
@@ -54,13 +54,26 @@ def meanings(tokens: Sequence[Token]) -> list[str]:
 
 
 def _check_in_time(way: Sequence[Clause]) -> None:
-    """What is told to be so, or to be there, ahead of a command to move something may be so at the start alone."""
+    """What is told to be so, or to be there, beside what is to be done may be so at the start alone."""
     if any(clause.first for clause in way) and not any(clause.later for clause in way):
         raise Unclear
-    moved = [n for n, clause in enumerate(way) if clause.mood == "put"]
-    for clause in way[: moved[-1]] if moved else ():
-        if clause.mood == "so" or (clause.mood == "there" and (clause.predicates or _is_figure(clause.subject))):
+    asks = [n for n, clause in enumerate(way) if clause.mood == "put" or clause.later]
+    for n, clause in enumerate(way):
+        ahead = bool(asks) and n < asks[-1]
+        told = bool(clause.predicates) or isinstance(clause.subject, Chain)
+        if clause.mood == "there" and len(way) > 1 and (told or (ahead and _is_figure(clause.subject))):
             raise Unclear
+        if ahead and told and clause.mood in {"so", ""}:
+            raise Unclear
+        behind = way[n + 1] if n + 1 < len(way) else None
+        if behind is None or behind.mood not in {"", "there", "so"}:
+            continue
+        if clause.mood == "start" != behind.mood:
+            raise Unclear
+        if _is_figure(clause.subject) and not clause.predicates and _is_figure(behind.subject) and behind.predicates:
+            place = behind.predicates[0]
+            if isinstance(place, Place) and place.of is not None and not isinstance(place.of, Pronoun):
+                raise Unclear  # of both, or of the last one
 
 
 def _is_figure(phrase: Phrase) -> bool:

@@ -105,9 +105,6 @@ _DONE = frozenset(
         "stood",
         "left",
         "found",
-        "stacked",
-        "built",
-        "arranged",
         "moved",
         "kept",
         "sitting",
@@ -116,10 +113,7 @@ _DONE = frozenset(
         "resting",
         "seated",
         "situated",
-        "made",
-        "put_down",
         "brought",
-        "formed",
     ]
 )
 _FORM = ("form", "forms", "make", "makes", "become", "becomes", "make up", "makes up", "build", "constitute",
@@ -127,7 +121,7 @@ _FORM = ("form", "forms", "make", "makes", "become", "becomes", "make up", "make
          "be arranged as", "are in", "be in", "stand in", "lie in", "go in", "go into", "are stacked into",
          "stacked into", "turn into", "are built into", "is", "are")  # fmt: skip
 _BEAR = ("carry", "carries", "support", "supports", "bear", "bears", "has", "have", "get", "gets", "hold", "holds",
-         "with", "having", "carrying", "bearing", "supporting", "holding")  # fmt: skip
+         "carrying", "bearing", "supporting", "holding")  # fmt: skip
 _SEPARATORS = (
     ", and then there is", ", and there is", ", and", ", but", ", while", ", with", ", plus", ", whereas", ", so that",
     "; and", ", leaving", ",", ";", ".", "!", "?", ":", "and", "but", "while", "plus", "with", "whereas", "so that",
@@ -314,6 +308,7 @@ class Reader(Places):
         for place, end in self.place(at):
             found.append(((place,), end))
             ways = {self.past_any(end, way) for way in ("and", "but", ", but", ", and", ",")} - {0}
+            ways -= {self.past_any(end, "and"), self.past_any(end, ", and")} if place.no else set()
             for start in ways:
                 more_said = [*self._predicates(start), *(self._verbs(start) if self.text(start - 1) != "," else ())]
                 found += [((place, *more), stop) for more, stop in more_said]
@@ -332,18 +327,17 @@ class Reader(Places):
     def _verb(self, at: int) -> Ways[tuple[Predicate, ...]]:
         found: Ways[tuple[Predicate, ...]] = []
         aux = self.past_any(at, *_AUX) or at
-        no = self.past_any(aux, "not", "never") or aux
+        no = self.past_any(aux, "not") or aux
         denied = no > aux
         start = no + (self.text(no) in {"both", "all"})
         ends = {end + (self.text(end) in {"both", "all"}) for way in _BE if (end := self.past_any(start, way))}
         for end in sorted(ends | {end + 1 for end in ends if self.text(end) in _DONE}):
-            not_there = self.past_any(end, "not", "never") or end
-            here = [way for way in self._predicates(not_there)]
+            not_there = self.past_any(end, "not") or end
+            here = list(self._predicates(not_there))
             here += [((Looks(like),), stop) for like, stop in self.single(not_there)]
-            found += [
-                (said if not denied and not_there == end else (_denied(said[0]), *said[1:]), stop)
-                for said, stop in here
-            ]
+            if denied or not_there > end:  # what is joined to it may be denied, too, or not
+                here = [((_denied(said[0]),), stop) for said, stop in here if len(said) == 1]
+            found += here
         for end in {self.past_any(start, way) for way in _FORM} - {0}:
             for figure, stop in self.single(end):
                 if isinstance(figure, Noun) and figure.noun in FIGURE.values() and not denied:

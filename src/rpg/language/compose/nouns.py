@@ -18,7 +18,7 @@ _SIDES = frozenset({"left", "right"})
 def resolve(scene: Scene, phrase: Phrase) -> Ref:
     """What a phrase stands for; what it tells of for the first time is put into the scene."""
     if isinstance(phrase, Pronoun):
-        return _pronoun(scene, phrase.word)
+        return scene.mention(_pronoun(scene, phrase.word))
     if isinstance(phrase, Labels):
         return scene.mention(Ref("block", [_labelled(scene, label, phrase.color) for label in phrase.labels]))
     if isinstance(phrase, Both):
@@ -157,6 +157,8 @@ def part(scene: Scene, noun: Noun) -> Ref:
     ids = []
     for figure in figures:
         at = places(figure, said, noun.nth, noun.count)
+        if figure.stage < 0 and scene.subject is not None:
+            raise Unclear  # what is put there is on the whole figure, or on what is left of it
         if noun.det == "other":
             at = [n for n in at if (figure.blocks, n) != scene.place]
             if len(at) != 1 or scene.place is None or scene.place[0] is not figure.blocks:
@@ -230,7 +232,11 @@ def _some_of(scene: Scene, noun: Noun) -> Ref:
     scene.here = here  # those that are meant are spoken of, not those that they are some of
     if whole.kind == "figure" and noun.noun in {"block", "one"}:
         whole = Ref("block", [n for at in whole.ids for n in scene.figures[at].blocks])
+    if whole.fresh and scene.figures and isinstance(noun.of, Noun) and noun.of.det != "the":
+        raise Unclear  # "one of two blocks" may be a figure
     ids = whole.ids
+    if noun.det == "all" and noun.of == Pronoun("them") and len(ids) < len(scene.blocks):
+        raise Unclear
     if noun.det in _ALL:
         if noun.det == "both" and len(ids) != 2:
             raise Unclear
@@ -255,7 +261,7 @@ def _some_of(scene: Scene, noun: Noun) -> Ref:
 
 
 def _patch(scene: Scene, noun: Noun) -> Ref:
-    if noun.ranks or noun.nth or noun.many or noun.count > 1:
+    if noun.ranks or noun.nth or noun.many or noun.count > 1 or noun.det not in {"a", "the", ""}:
         raise Unclear
     found = [n for n, patch in enumerate(scene.patches) if not noun.color or patch.color in {noun.color, ""}]
     if len(found) > 1:
@@ -485,6 +491,13 @@ def _blocks(scene: Scene, noun: Noun) -> Ref:
         if scene.whole != stock:
             scene.whole, scene.taken = list(stock), []
         return replace(_take(scene, left[:count]), fresh=True)
+    if noun.det == "another" and like:
+        left = [n for n in scene.whole if n not in scene.taken]
+        if not scene.taken or not left or left[0] not in like:
+            raise Unclear
+        return replace(_take(scene, left[:count]), fresh=True)
+    if not noun.color and any(not block.color and not block.label for block in scene.blocks):
+        raise Unclear
     ids = scene.new_blocks(count, noun.color)
     return Ref("block", ids, fresh=True, each=noun.det == "each", every=noun.det in _ALL)
 

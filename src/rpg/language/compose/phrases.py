@@ -106,6 +106,8 @@ class Phrases(Text):
         named = (
             self.past_any(named, "labelled", "labeled", "numbered", "bearing the number", "with the letter") or named
         )
+        if color and said:
+            return  # "the green cube 3" may be counted
         if label := self.label(named):
             yield Labels((label,), color), named + 1
             if not said and self.text(named + 1) in BLOCK and not self.items[named + 1].many:

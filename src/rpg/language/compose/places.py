@@ -70,7 +70,7 @@ class Places(Phrases):
         for how, start in self._how(at):
             if how.cm and (end := self.past_any(start, "apart", "apart from each other", "away from each other")):
                 found.append((replace(how, relation="apart"), end))
-        no = self.past_any(at, "not", "never") or at
+        no = self.past_any(at, "not") or at
         for how, start in self._how(no):
             for words, relation in RELATIONS:
                 if end := self.past(start, words):

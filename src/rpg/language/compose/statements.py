@@ -9,7 +9,20 @@ from itertools import combinations, pairwise
 from rpg.language.compose.nouns import resolve
 from rpg.language.compose.places_of import places
 from rpg.language.compose.scene import Fact, Figure, Ref, Scene, Unclear
-from rpg.language.compose.syntax import Bears, Both, Chain, Clause, Looks, Made, Noun, Phrase, Place, Predicate, Pronoun
+from rpg.language.compose.syntax import (
+    Bears,
+    Both,
+    Chain,
+    Clause,
+    Labels,
+    Looks,
+    Made,
+    Noun,
+    Phrase,
+    Place,
+    Predicate,
+    Pronoun,
+)
 
 _SIDES = {"left": "to the left of", "right": "to the right of", "front": "in front of", "behind": "behind"}
 _RELATIONS = {**_SIDES, "next": "next to", "near": "near"}
@@ -51,8 +64,14 @@ def _say(scene: Scene, clause: Clause) -> None:
         _one_for_each(scene, subject, clause.predicates[0])
         return
     ref = resolve(scene, subject)
+    if isinstance(subject, Noun) and subject.det in {"a", "another", ""} and ref.kind == "block" and any(
+        isinstance(said, Place) and said.no for said in clause.predicates
+    ) and not subject.of and len([b for b in scene.blocks if b.look == scene.blocks[ref.ids[0]].look]) > 1:  # fmt: skip
+        raise Unclear  # one of them, or none
+    if not clause.mood and clause.predicates and ref.kind == "block" and len(ref.ids) > 1 and scene.figures:
+        raise Unclear  # these may form what was told ahead
     if clause.aside is not None:
-        _said(scene, resolve(scene, clause.aside.subject), clause.aside.predicates[0])
+        _aside(scene, ref, clause.aside)
     if not clause.predicates:
         _there_is(scene, ref)
     scene.subject = (ref.kind, ref.ids)
@@ -63,11 +82,32 @@ def _say(scene: Scene, clause: Clause) -> None:
         scene.used.update(ref.ids)
 
 
+def _aside(scene: Scene, ref: Ref, clause: Clause) -> None:
+    """ "the third, with the white block on top,": on what is spoken of."""
+    place = clause.predicates[0]
+    if not isinstance(place, Place) or len(ref.ids) != 1:
+        raise Unclear
+    other = resolve(scene, clause.subject)
+    if ref.kind == "figure":
+        _bare(scene, other, place)
+    elif place.relation == "top" and ref.kind == "block":
+        _on(scene, other, ref, "on", no=False)
+    else:
+        raise Unclear
+
+
 def _there_is(scene: Scene, ref: Ref) -> None:
     """Blocks that are told of by themselves are those that the rest of the text is about."""
     if not ref.fresh or ref.kind not in {"block", "figure"}:
         raise Unclear
     if ref.kind == "block":
+        if any(
+            scene.blocks[n].look == block.look
+            for n in ref.ids
+            for m, block in enumerate(scene.blocks)
+            if m not in ref.ids
+        ):
+            raise Unclear  # these, or further ones
         lots: dict[tuple[str, str, int], list[int]] = {}
         for n in ref.ids:
             lots.setdefault(scene.blocks[n].look, []).append(n)
@@ -142,8 +182,17 @@ def _one_for_each(scene: Scene, subject: Phrase, said: Predicate) -> None:
 def _said(scene: Scene, ref: Ref, said: Predicate) -> None:
     if isinstance(said, Place) and said.no and (ref.each or ref.no or ref.every):
         raise Unclear
-    if isinstance(said, Place) and said.no and isinstance(said.of, Noun) and said.of.det in {"each", "all", "both"}:
-        raise Unclear
+    if isinstance(said, Place) and isinstance(said.of, Noun):
+        if said.no and said.of.det in {"each", "all", "both", "a", "another", "any"}:
+            raise Unclear
+        if said.relation == "on" and not said.of.noun and scene.patches:
+            raise Unclear  # a block or a patch of that colour
+        if (
+            said.relation == "on"
+            and not said.of.noun
+            and any(scene.blocks[n].label for n in ref.ids if ref.kind == "block")
+        ):
+            raise Unclear  # a block, or the colour of the block with the symbol
     if ref.no:
         if not isinstance(said, Place) or said.of is None:
             raise Unclear
@@ -226,6 +275,8 @@ def _looks(scene: Scene, ref: Ref, like: Phrase) -> None:
 
 def _bears(scene: Scene, ref: Ref, said: Bears) -> None:
     """Something lies on it, or nothing does."""
+    if isinstance(said.what, Labels):
+        raise Unclear  # it may be the symbol on it
     if said.what is None:
         for n in _tops(scene, ref):
             scene.facts.append(Fact(Ref("block", [n]), "clear"))
@@ -254,7 +305,7 @@ def _tops(scene: Scene, ref: Ref) -> list[int]:
     tops = []
     for at in ref.ids:
         figure = scene.figures[at]
-        if figure.kind != "tower":
+        if figure.kind != "tower" or figure.stage < 0:
             raise Unclear
         scene.settle(figure)
         tops.append(figure.blocks[-1])
@@ -425,6 +476,9 @@ def _beside(scene: Scene, ref: Ref, target: Ref, said: Place) -> None:
     )
     several = len(target.ids) > 1
     others = [target]
+    if said.relation in _SIDES and not said.no and not said.cm:
+        some = [replace(ref, each=False)]
+        target = replace(target, each=False)
     if target.each or (several and said.relation in {"apart", "far", "near"}) or (several and said.no):
         others = [Ref(target.kind, [n]) for n in target.ids]
     if several and said.relation == "touch" and not said.no:

@@ -55,6 +55,7 @@ from rpg.passes.schema.resolve.orders.between_ends import told_as_ranges
 from rpg.passes.schema.resolve.orders.parts_behind import parts_behind
 from rpg.passes.schema.resolve.orders.then_longer import then_longer
 from rpg.passes.schema.resolve.orders.told_places import places_told
+from rpg.passes.schema.resolve.places.patches_alike import either_way_round
 from rpg.passes.schema.resolve.places.sided_patches import settle_sides
 from rpg.passes.schema.resolve.structures.built_for_a_part import built_for_a_part
 from rpg.passes.schema.resolve.structures.heaps import from_heaps, heaps_begun, heaps_last, placed, told_later
@@ -251,7 +252,7 @@ def _resolved(
     settle_sides(scene)
     chosen = finish.choose(scene)
     goal = tidy(the_other_way(left_as_they_are(goal, scene), scene), scene)
-    check_all(goal, scene)
+    check_all(goal := either_way_round(goal, scene, chosen), scene)
     _all_used(goal, scene, chains)
     check_bare_numbers(goal, scene, chains)
     names = finish.naming(scene)

@@ -300,7 +300,7 @@ def _of_its_color(owner: Meaning, theme: Meaning, span: Span) -> tuple[Meaning, 
 
 def _on_patch(owner: Meaning, theme: Meaning, span: Span) -> tuple[Meaning, tuple[Meaning, ...]] | None:
     """ "each patch has one block", "each letter gets its own patch", "the mat gets a tower": what lies on what."""
-    single = isinstance(owner, Noun) and owner.head == "patch" and not owner.plural and owner.det in ("the", "each")
+    single = isinstance(owner, Noun) and owner.head == "patch" and not owner.plural and owner.det in _SINGLE
     if single and (isinstance(theme, Structure) or _all_blocks(theme)):
         return theme, (Loc(rel="on", landmark=owner, span=span),)
     if not (isinstance(owner, Noun) and isinstance(theme, Noun)) or (owner.head == "patch") == (theme.head == "patch"):
@@ -309,6 +309,9 @@ def _on_patch(owner: Meaning, theme: Meaning, span: Span) -> tuple[Meaning, tupl
         return None
     block, patch = (theme, owner) if owner.head == "patch" else (owner, theme)
     return block, (Loc(rel="on", landmark=patch, span=span),)
+
+
+_SINGLE = frozenset({"the", "each", "a", "other", "another"})
 
 
 def _all_blocks(theme: Meaning) -> bool:

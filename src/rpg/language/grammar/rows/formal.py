@@ -80,7 +80,7 @@ from rpg.language.grammar.rows.others_counted import others_counted
 from rpg.language.grammar.rows.others_elsewhere import others_elsewhere
 from rpg.language.grammar.rows.own_color import OWN_COLOR, OWN_COLOR_ACROSS, OWN_COLOR_AT_ONCE
 from rpg.language.grammar.rows.palindromes import palindromes
-from rpg.language.grammar.rows.patches_told import PATCHES_AT_ONCE, PATCHES_UNREAD
+from rpg.language.grammar.rows.patches_told import ONE_AND_THE_OTHER, PATCHES_AT_ONCE, PATCHES_UNREAD
 from rpg.language.grammar.rows.plain_talk import PLAIN_TALK, PLAIN_TALK_AT_ONCE
 from rpg.language.grammar.rows.put_otherwise import OTHERWISE, OTHERWISE_AT_ONCE
 from rpg.language.grammar.rows.pyramids import PYRAMIDS
@@ -295,6 +295,7 @@ AT_ONCE, UNREAD, OVER_ALL = (
             *EXCEPTED_ACROSS,
             *ONE_TOPPED,
             *TOLD_OF_BOTH,
+            *ONE_AND_THE_OTHER,
             *CONTRASTS_ACROSS,
             *BEFORE_AND_AFTER,
             *_LAST_ACROSS,

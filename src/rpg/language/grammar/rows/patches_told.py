@@ -186,5 +186,25 @@ PATCHES_UNREAD: tuple[Turn, ...] = (
     (f"\\b(?:is|are) (not )?(?:allowed|permitted)(?: to be)? (?=(?:{PLACE}|at) )", "may {1} be "),
 )  # fmt: skip
 """What makes no sense as it stands."""
+_HAS = "(has|holds|gets|carries|bears|contains|receives)"
+_STAYS = (
+    f"(?:{_HAS[1:-1]}|(?:is|stays|remains|is left|is kept) (?:empty|free|clear)|"
+    f"{MUST} (?:be|stay|remain|hold|have|get|carry))"
+)
+_ONE_MAT = f"(?:one|the (?:left|right|front|back|near|far|first)) ({PATCH})"
+_NO_ONE = f"(?!(?:.* (?:[.,;:]|and) )?(?:put )?one (?:of|on|{COLOR}|{BLOCK})\\b)"
+_OTHER = "(?<![^ ])the other(?: one| of them)?"
+_SOME = f"(?:{MANY}|an?|the|nothing)"
+ONE_AND_THE_OTHER: tuple[Turn, ...] = (
+    (f"\\bthe one (?={PATCH} .*\\bthe other\\b)", "one "),
+    (f"^(.*\\b(?:two|2) {PATCHES} [.,:;] )one(?: of them)? (?={_STAYS} .*\\bthe other\\b)",
+     "{1} one patch "),
+    (f"^{_NO_ONE}(.*\\b{_ONE_MAT} .*){_OTHER} (?={_STAYS} )", "{1} the other {2} "),
+    (f"^{_NO_ONE}(.*\\b{_ONE_MAT} (?:[a-z]+ )?empty .*\\b(?:on|onto)) {_OTHER}(?= [.,;]| there\\b|$)",
+     "{1} the other {2}"),
+    (f"^{_NO_ONE}(.*\\b{_ONE_MAT} {_HAS} [^.;]+? (?:and|,|, and|;)) the other"
+     f"(?: one(?= {_SOME} )| {PATCH})? (?={_SOME} )", "{1} the other {2} {3} "),
+)  # fmt: skip
+"""Over a whole text: "the other" of two patches, where it tells what is there. A block is "the other one" as well."""
 WORDS = ("vacate namely",)
 """Words that these take besides those that are read anyway."""

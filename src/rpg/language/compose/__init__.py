@@ -18,7 +18,7 @@ from rpg.language.compose.clauses import Reader
 from rpg.language.compose.items import FIGURE, items_of
 from rpg.language.compose.scene import Scene, Unclear
 from rpg.language.compose.statements import say
-from rpg.language.compose.syntax import Chain, Clause, Noun, Phrase, Place, Pronoun
+from rpg.language.compose.syntax import Chain, Clause, Noun, Phrase, Place, Predicate, Pronoun
 from rpg.language.compose.telling import tell
 from rpg.language.tokens import Token, tokenize
 
@@ -65,15 +65,31 @@ def _check_in_time(way: Sequence[Clause]) -> None:
             raise Unclear
         if ahead and told and clause.mood in {"so", ""}:
             raise Unclear
+        if n == 0 < len(way) - 1 and clause.mood == "so" and _is_bare(clause.predicates, "table"):
+            raise Unclear
         behind = way[n + 1] if n + 1 < len(way) else None
         if behind is None or behind.mood not in {"", "there", "so"}:
             continue
-        if clause.mood == "start" != behind.mood:
+        if clause.mood == "start" != behind.mood or (
+            behind.mood == "" and any(_is_denied(p) for p in clause.predicates)
+        ):
             raise Unclear
         if _is_figure(clause.subject) and not clause.predicates and _is_figure(behind.subject) and behind.predicates:
             place = behind.predicates[0]
             if isinstance(place, Place) and place.of is not None and not isinstance(place.of, Pronoun):
                 raise Unclear  # of both, or of the last one
+
+
+def _is_denied(said: Predicate) -> bool:
+    return isinstance(said, Place) and said.no
+
+
+def _is_bare(predicates: Sequence[Predicate], name: str) -> bool:
+    return any((isinstance(said, Place) and said.relation == name) or _of_table(said) for said in predicates)
+
+
+def _of_table(said: Predicate) -> bool:
+    return isinstance(said, Place) and isinstance(said.of, Noun) and said.of.noun == "table"
 
 
 def _is_figure(phrase: Phrase) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from rpg.language.compose.items import FIGURE
+from rpg.language.compose.items import COLOR, FIGURE
 from rpg.language.compose.places import Places
 from rpg.language.compose.syntax import Bears, Clause, Labels, Looks, Made, Noun, Phrase, Place, Predicate, Pronoun
 from rpg.language.compose.words import Ways, remembered
@@ -78,7 +78,8 @@ _TOWER = Noun(det="a", noun="tower")
 _INTO = ("as", "in", "into", "in the shape of", "out as")
 _THERE = ("there is", "there are", "you have", "we have", "i have", "here is", "here are")
 _THEN = (
-    ", finally", ", and finally", ". finally", "; finally", "and finally", ". lastly", ", then", ". then", "; then", "and then", ", and then", ". after that", ", after that", "and after that",
+    ", finally", ", and finally", ". finally", "; finally", "and finally", ". lastly", ", then",
+    ". then", "; then", "and then", ", and then", ". after that", ", after that", "and after that",
     ". afterwards", ". next", ", and after that", ", next",
 )  # fmt: skip
 _START = ("at the start", "at the beginning", "initially", "to begin with", "in the beginning", "at start", "at first")
@@ -194,6 +195,7 @@ class Reader(Places):
         starts, new = [at], [at]
         while new:
             behind = {self.past_any(start, lead, f"{lead} ,") for start in new for lead in _LEADS} - {0}
+            behind = {start for start in behind if self.text(start) not in {"it", "them"}}
             new = sorted(behind - set(starts))
             starts += new
         return starts
@@ -286,9 +288,8 @@ class Reader(Places):
         """What may be said of a thing that is told of without a verb, or behind a comma."""
         start = self.past_any(at, ", which") or at
         looks: Ways[tuple[Predicate, ...]] = []
-        if isinstance(color := next((n for n, e in self.single(start) if e == start + 1), None), Noun):
-            if color.color and not color.noun and not color.det:
-                looks.append(((Looks(color),), start + 1))
+        if color := COLOR.get(self.text(start)):
+            looks.append(((Looks(Noun(color=color)),), start + 1))
         if end := self.past_any(start, *_LINED):
             row = Noun(
                 det="a", noun="row", ranks=("left",) if "left" in [i.text for i in self.items[start:end]] else ()
@@ -308,6 +309,7 @@ class Reader(Places):
         for place, end in self.place(at):
             found.append(((place,), end))
             ways = {self.past_any(end, way) for way in ("and", "but", ", but", ", and", ",")} - {0}
+            ways -= set() if place.no else {self.past_any(end, "but"), self.past_any(end, ", but")}
             ways -= {self.past_any(end, "and"), self.past_any(end, ", and")} if place.no else set()
             for start in ways:
                 more_said = [*self._predicates(start), *(self._verbs(start) if self.text(start - 1) != "," else ())]

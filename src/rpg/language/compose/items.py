@@ -42,7 +42,6 @@ IDLE = frozenset(
         "kindly",
         "simply",
         "also",
-        "too",
         "itself",
         "themselves",
         "thanks",
@@ -89,6 +88,8 @@ def items_of(tokens: Sequence[Token]) -> list[Item] | None:
             continue
         elif token.kind == "punct":
             mark = {"(": ",", ")": ",", "-": ",", "–": ",", "—": ",", "&": "and"}.get(word, word)
+            if mark == ";" and found and found[-1].text == ".":
+                return None  # a numbered list tells an order
             found.append(Item(mark, token.raw))
         else:
             found.append(_word(token, word))

@@ -26,9 +26,9 @@ class Phrases(Text):
     def phrase(self, at: int) -> Ways[Phrase]:
         """One noun phrase, or several joined by commas and "and"."""
         found: Ways[Phrase] = []
-        if (many := at + (self.text(at) == "the")) < len(self.items) and self.items[many].many:
-            if self.text(many) in BLOCK | set(SYMBOL) and self.label(many + 1):
-                found += [(both, end) for both, end in self.phrase(many + 1) if _labelled(both)]
+        many = at + (self.text(at) == "the")
+        if self.text(many) in BLOCK | set(SYMBOL) and self.items[many].many and self.label(many + 1):
+            found += [(both, end) for both, end in self.phrase(many + 1) if _labelled(both)]
         for part, end in self.single(at):
             found.append((part, end))
             found += [(Both((part, *rest)), stop) for rest, stop in self._joined(end)]
@@ -313,7 +313,7 @@ class Phrases(Text):
 
     def _listed(self, at: int) -> Ways[Phrase]:
         """ "one red on blue", "one of three red blocks", "green on yellow"."""
-        found = [(chain, end) for chain, end in self.single(at) if isinstance(chain, Chain)]
+        found: Ways[Phrase] = [(chain, end) for chain, end in self.single(at) if isinstance(chain, Chain)]
         if self.text(at) == "one":
             of = self.past_any(at + 1, "of", "with", "made of", "is", "has")
             found += [(chain, end) for chain, end in self.single(of or at + 1) if isinstance(chain, Chain)]

@@ -56,6 +56,11 @@ _SIDES = frozenset({"left", "right", "near", "far"})
 _UNITS = {"cm": 1.0, "centimeters": 1.0, "centimetres": 1.0, "centimeter": 1.0, "mm": 0.1}
 
 
+def _top(words: list[str]) -> str:
+    """Whether it is said that something is on top, not only on."""
+    return "top" if words[:2] == ["on", "top"] or words == ["atop"] else ""
+
+
 class Places(Phrases):
     """Reads places."""
 
@@ -75,7 +80,7 @@ class Places(Phrases):
             for words, relation in RELATIONS:
                 if end := self.past(start, words):
                     found += [
-                        (replace(how, relation=relation, of=thing, no=no > at), stop)
+                        (replace(how, relation=relation, of=thing, no=no > at, how=how.how or _top(words)), stop)
                         for thing, stop in self.phrase(end)
                     ]
         return found

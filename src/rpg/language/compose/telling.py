@@ -23,7 +23,7 @@ def tell(scene: Scene) -> str:
     _color_in(scene)
     _check_told_of(scene)
     figures = [figure for figure in scene.figures if not figure.implied]
-    last = max((n.stage for n in (*figures, *scene.facts)), default=0)
+    last = max((*(figure.stage for figure in figures), *(fact.stage for fact in scene.facts)), default=0)
     told = {stage: _of_stage(scene, figures, stage) for stage in range(-1, last + 1)}
     said = [_assets(scene), *(f"At the start, {_small(sentence)}" for sentence in told[-1])]
     if last > 0:

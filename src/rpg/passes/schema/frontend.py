@@ -18,6 +18,7 @@ from rpg.language.clauses_apart import MOST, clauses_apart
 from rpg.language.clauses_left_out import clauses_left_out
 from rpg.language.code_lists import with_lists
 from rpg.language.color_classes import with_color_classes
+from rpg.language.compose import composed
 from rpg.language.feelings import without_feelings
 from rpg.language.figures_called import with_figures
 from rpg.language.formulas import formulas_told
@@ -250,7 +251,7 @@ class BuiltinFrontEnd:
         """The reading of a text that tells of a figure part by part, with a note of how it was understood; no task and
         no diagnostics if there is none."""
         begun = stands_first(words)
-        for tokens, said in retold(without_asides(with_beginnings(words))):
+        for tokens, said in (*retold(without_asides(with_beginnings(words))), *composed(words)):
             if begun and "t the start" not in said:
                 continue
             with suppress(Refusal):

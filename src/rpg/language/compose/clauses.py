@@ -1,0 +1,383 @@
+"""The clauses of a text: commands, statements, and what is told without a verb; all ways to read the whole."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from rpg.language.compose.items import COLOR, FIGURE
+from rpg.language.compose.places import Places
+from rpg.language.compose.syntax import Bears, Clause, Labels, Looks, Made, Noun, Phrase, Place, Predicate, Pronoun
+from rpg.language.compose.words import Ways, remembered
+
+_LEADS = (
+    "i want you to", "i want to see", "i would like you to", "i would like to see", "i would like", "i should like",
+    "i want", "i need", "we need", "we want", "i would love", "you have", "you got", "we have", "i have", "there is",
+    "there are", "there should be", "there must be", "give me", "gimme", "let us have", "let me see", "let there be",
+    "can you", "could you", "would you", "will you", "show me", "get me", "let us", "let", "try to", "the goal is to",
+    "the task is to", "you should", "hey", "yo", "hi", "hello", "goal :", "task :", "goal", "make sure that",
+    "make sure", "see to it that", "make it so that", "need", "at the end", "in the end",
+    "i have got", "you have got", "got", "have", "u got", "here is", "here are", "take", "use", "we got",
+)  # fmt: skip
+_BUILD = frozenset(
+    [
+        "build",
+        "make",
+        "construct",
+        "create",
+        "form",
+        "assemble",
+        "lay",
+        "arrange",
+        "set",
+        "erect",
+        "produce",
+        "prepare",
+        "put",
+        "stack",
+        "stand",
+        "place",
+        "raise",
+        "draw",
+        "compose",
+    ]
+)
+_BUILD_ME = ("me", "up", "out", "down", "together")
+_PUT = frozenset(
+    [
+        "put",
+        "place",
+        "set",
+        "move",
+        "lay",
+        "stand",
+        "bring",
+        "position",
+        "leave",
+        "keep",
+        "add",
+        "stack",
+        "get",
+        "drop",
+        "rest",
+        "slide",
+        "push",
+        "shift",
+        "transfer",
+        "pile",
+        "seat",
+        "sit",
+    ]
+)
+_LINED = (
+    "lined up", "lined up from left to right", "lined up left to right", "in a row from left to right",
+    "in a line from left to right", "from left to right", "left to right",
+)  # fmt: skip
+_STACK = frozenset({"stack", "pile"})
+_TOWER = Noun(det="a", noun="tower")
+_INTO = ("as", "in", "into", "in the shape of", "out as")
+_THERE = ("there is", "there are", "you have", "we have", "i have", "here is", "here are")
+_THEN = (
+    ", finally", ", and finally", ". finally", "; finally", "and finally", ". lastly", ", then",
+    ". then", "; then", "and then", ", and then", ". after that", ", after that", "and after that",
+    ". afterwards", ". next", ", and after that", ", next",
+)  # fmt: skip
+_START = ("at the start", "at the beginning", "initially", "to begin with", "in the beginning", "at start", "at first")
+_FRONTED = (",", "is", "are", "goes", "go", "stands", "stand", "there is", "there are", "there should be", "sits",
+            "lies", ", there is", ", there are", "must be", "should be", "place", "put", ", put", ", place", "i want",
+            "comes", "build", ", build")  # fmt: skip
+_AUX = (
+    "must", "should", "shall", "has to", "have to", "needs to", "need to", "is to", "are to", "may", "can", "will",
+    "ought to", "is supposed to", "are supposed to", "does", "do", "has got to", "will have to", "would",
+)  # fmt: skip
+_BE = (
+    "be", "is", "are", "sits", "sit", "stands", "stand", "lies", "lie", "rests", "rest", "goes", "go", "belongs",
+    "belong", "stays", "stay", "remains", "remain", "ends up", "end up", "comes", "come", "gets", "get", "standing",
+    "sitting", "lying", "resting", "being", "lands", "land", "ends", "end",
+)  # fmt: skip
+_DONE = frozenset(
+    [
+        "placed",
+        "put",
+        "located",
+        "positioned",
+        "set",
+        "laid",
+        "stood",
+        "left",
+        "found",
+        "moved",
+        "kept",
+        "sitting",
+        "standing",
+        "lying",
+        "resting",
+        "seated",
+        "situated",
+        "brought",
+    ]
+)
+_FORM = ("form", "forms", "make", "makes", "become", "becomes", "make up", "makes up", "build", "constitute",
+         "are arranged in", "are arranged as", "is arranged in", "are arranged into", "be arranged in",
+         "be arranged as", "are in", "be in", "stand in", "lie in", "go in", "go into", "are stacked into",
+         "stacked into", "turn into", "are built into", "is", "are")  # fmt: skip
+_BEAR = ("carry", "carries", "support", "supports", "bear", "bears", "has", "have", "get", "gets", "hold", "holds",
+         "carrying", "bearing", "supporting", "holding")  # fmt: skip
+_SEPARATORS = (
+    ", and then there is", ", and there is", ", and", ", but", ", while", ", with", ", plus", ", whereas", ", so that",
+    "; and", ", leaving", ",", ";", ".", "!", "?", ":", "and", "but", "while", "plus", "with", "whereas", "so that",
+)  # fmt: skip
+
+_WITH = frozenset({", with", "with", ", leaving", "so that", ", so that"})
+"""Behind these stands what is so of a thing that is told of, not a further thing."""
+
+
+class Reader(Places):
+    """Reads the clauses of a text."""
+
+    def readings(self) -> Iterator[tuple[Clause, ...]]:
+        """All ways to read the whole text, those with the longest first clauses first."""
+        yield from self._from(0)
+
+    def _from(self, at: int, *, said: bool = False) -> Iterator[tuple[Clause, ...]]:
+        """`said`: something has to be said of what the first clause is about."""
+        while self.text(at) in {".", "!", "?", ",", ";"}:
+            at += 1
+        if at >= len(self.items):
+            yield ()
+            return
+        for clause, end in sorted(self.clause(at), key=lambda way: -way[1]):
+            if said and not clause.predicates:
+                continue
+            if clause.mood == "in":
+                start = end + (self.text(end) == ",")
+                for rest in self._from(start) if start < len(self.items) else ():
+                    yield (clause, *rest)
+                continue
+            if end >= len(self.items):
+                yield (clause,)
+            for words in _SEPARATORS:
+                if start := self.past_any(end, words):
+                    for rest in self._from(start, said=words in _WITH):
+                        yield (clause, *rest)
+            for words in _THEN:
+                if start := self.past_any(end, words):
+                    for rest in self._from(start + (self.text(start) == ",")):
+                        if rest:
+                            yield (clause, replace(rest[0], later=True), *rest[1:])
+
+    @remembered
+    def clause(self, at: int) -> Ways[Clause]:
+        """One clause; one that says several things at once is told as several."""
+        found: Ways[Clause] = []
+        if self.text(at) == "which":
+            found += [(Clause(Pronoun("which"), said, "must"), end) for said, end in self._verbs(at + 1)]
+        if begin := self.past_any(at, *_START, *(f"{start} ," for start in _START), "start :"):
+            found += [(replace(said, mood="start"), end) for said, end in self.clause(begin)]
+        if first := self.past_any(at, "first", "first ,", "first of all ,"):
+            found += [(replace(said, first=True), end) for said, end in self.clause(first)]
+        for start in self._leads(at):
+            there = start > at and any(self.past(at, lead.split()) == start for lead in _THERE)
+            found += self._command(start)
+            found += self._fronted(start)
+            if self.text(start) in {"spell", "write"}:
+                found += self._spelled(start + 1)
+            found += self._statement(start)
+            found += [(Clause(what, said, "there" if there else ""), end) for what, said, end in self._existing(start)]
+        if end := self.past_any(at, "nothing on", "none on", "nothing on top of", "nothing is on", "nothing may be on"):
+            found += [(Clause(what, (Bears(None),)), stop) for what, stop in self.phrase(end)]
+        late = [(said, start) for said, end in found if (start := self.past_any(end, *_START)) and said.predicates]
+        found += [(replace(said, mood="start"), end) for said, end in late]
+        return found
+
+    def _leads(self, at: int) -> list[int]:
+        """Where the clause itself may begin."""
+        starts, new = [at], [at]
+        while new:
+            behind = {self.past_any(start, lead, f"{lead} ,") for start in new for lead in _LEADS} - {0}
+            behind = {start for start in behind if self.text(start) not in {"it", "them"}}
+            new = sorted(behind - set(starts))
+            starts += new
+        return starts
+
+    def _command(self, at: int) -> Ways[Clause]:
+        no = self.past_any(at, "do not", "never")
+        verb = self.text(no or at)
+        start = self.past_any((no or at) + 1, *_BUILD_ME) or (no or at) + 1
+        found: Ways[Clause] = []
+        if verb in _BUILD and not no:
+            found += self._built(start, laid=verb in _PUT)
+        if verb in _PUT or verb in _BUILD:
+            for what, end in self.phrase(start):
+                for said, stop in self._predicates(end):
+                    if isinstance(said[0], Place):
+                        if verb in _STACK and said[0].relation == "on" and _several(what):
+                            said = (Made(_TOWER), *said)
+                        found.append((Clause(what, said, "put"), stop))
+        if verb in _STACK and not no:
+            found += [(Clause(what, (Made(_TOWER),), "build"), end) for what, end in self.phrase(start)]
+        if no:
+            denied = [(replace(c, predicates=tuple(_denied(p) for p in c.predicates)), end) for c, end in found]
+            found = [(clause, end) for clause, end in denied if len(clause.predicates) == 1]
+        return found
+
+    def _built(self, start: int, *, laid: bool) -> Ways[Clause]:
+        """What is to be built, with what is said of it, or of what it is built; only figures are `laid` so."""
+        found: Ways[Clause] = []
+        for what, end in self.phrase(start):
+            if not laid or (isinstance(what, Noun) and what.noun in FIGURE.values()):
+                found.append((Clause(what, (), "build"), end))
+                found += [(Clause(what, said, "build"), stop) for said, stop in self._rest(end)]
+            for into in {self.past_any(end, way) for way in _INTO} - {0}:
+                for figure, stop in self.single(into):
+                    if isinstance(figure, Noun) and figure.noun in FIGURE.values():
+                        found.append((Clause(what, (Made(figure),), "build"), stop))
+                        found += [
+                            (Clause(what, (Made(figure), *said), "build"), last) for said, last in self._rest(stop)
+                        ]
+        return found
+
+    def _existing(self, at: int) -> list[tuple[Phrase, tuple[Predicate, ...], int]]:
+        """What is told without a verb: "a tower of two on the patch"."""
+        found: list[tuple[Phrase, tuple[Predicate, ...], int]] = []
+        for what, end in self.phrase(at):
+            found.append((what, (), end))
+            found += [(what, said, stop) for said, stop in self._rest(end)]
+        return found
+
+    def _spelled(self, at: int) -> Ways[Clause]:
+        """ "spell CAT in a row"."""
+        start = self.past_any(at, "the word", "out") or at
+        word = self.items[start].value if start < len(self.items) else ""
+        if not word.isalpha():
+            return []
+        end = self.past_any(start + 1, "in a row", "in a line") or start + 1
+        what = Noun(det="a", noun="word", word=word)
+        return [(Clause(what, (), "build"), end), *((Clause(what, s, "build"), e) for s, e in self._predicates(end))]
+
+    def _fronted(self, at: int) -> Ways[Clause]:
+        """ "behind it another row", "between both is the digit 0", "beside this stack goes a tower"."""
+        found: Ways[Clause] = []
+        if within := self.past_any(at, "in", "of"):
+            found += [(Clause(what, (), "in"), end) for what, end in self.single(within) if isinstance(what, Noun)]
+        for place, end in self.place(at):
+            starts = {self.past_any(end, way) for way in _FRONTED} | {end}
+            for start in starts - {0}:
+                found += [(Clause(what, (place,), "must"), stop) for what, stop in self.single(start)]
+        return found
+
+    def _statement(self, at: int) -> Ways[Clause]:
+        found: Ways[Clause] = []
+        for what, stop in self.phrase(at):
+            for aside, start in ((None, stop), *self._aside(stop)):
+                mood = "must" if self.past_any(start, *_AUX, "not") else "so"
+                found += [(Clause(what, said, mood, aside), end) for said, end in self._verbs(start)]
+        return found
+
+    def _aside(self, at: int) -> Ways[Clause]:
+        """ ", with Q on top,": between a subject and its verb."""
+        found: Ways[Clause] = []
+        if start := self.past_any(at, ", with", "with"):
+            for what, end in self.single(start):
+                for place, stop in self.place(end):
+                    if place.of is None:
+                        found.append((Clause(what, (place,), "must"), stop + (self.text(stop) == ",")))
+        return found
+
+    def _rest(self, at: int) -> Ways[tuple[Predicate, ...]]:
+        """What may be said of a thing that is told of without a verb, or behind a comma."""
+        start = self.past_any(at, ", which") or at
+        looks: Ways[tuple[Predicate, ...]] = []
+        if color := COLOR.get(self.text(start)):
+            looks.append(((Looks(Noun(color=color)),), start + 1))
+        if end := self.past_any(start, *_LINED):
+            row = Noun(
+                det="a", noun="row", ranks=("left",) if "left" in [i.text for i in self.items[start:end]] else ()
+            )
+            looks.append(((Made(row),), end))
+        verbs = self._verbs(start) if start > at or self.text(start).endswith("ing") else []
+        return [*looks, *self._predicates(start), *verbs]
+
+    @remembered
+    def _predicates(self, at: int) -> Ways[tuple[Predicate, ...]]:
+        """Places, one after the other: "on the patch and left of A", "off the mat but not on the table"."""
+        found: Ways[tuple[Predicate, ...]] = []
+        for into in {self.past_any(at, way) for way in ("in", "into", "as")} - {0}:
+            for figure, end in self.single(into):
+                if isinstance(figure, Noun) and figure.noun in FIGURE.values() and figure.det in {"a", ""}:
+                    found.append(((Made(figure),), end))
+        for place, end in self.place(at):
+            found.append(((place,), end))
+            ways = {self.past_any(end, way) for way in ("and", "but", ", but", ", and", ",")} - {0}
+            ways -= set() if place.no else {self.past_any(end, "but"), self.past_any(end, ", but")}
+            ways -= {self.past_any(end, "and"), self.past_any(end, ", and")} if place.no else set()
+            for start in ways:
+                more_said = [*self._predicates(start), *(self._verbs(start) if self.text(start - 1) != "," else ())]
+                found += [((place, *more), stop) for more, stop in more_said]
+        return found
+
+    @remembered
+    def _verbs(self, at: int) -> Ways[tuple[Predicate, ...]]:
+        """A verb with what belongs to it, and more of such."""
+        found: Ways[tuple[Predicate, ...]] = []
+        for said, end in self._verb(at):
+            found.append((said, end))
+            for start in {self.past_any(end, way) for way in ("and", "but", ", but", ", and")} - {0}:
+                found += [((*said, *more), stop) for more, stop in self._verbs(start)]
+        return found
+
+    def _verb(self, at: int) -> Ways[tuple[Predicate, ...]]:
+        found: Ways[tuple[Predicate, ...]] = []
+        aux = self.past_any(at, *_AUX) or at
+        no = self.past_any(aux, "not") or aux
+        denied = no > aux
+        start = no + (self.text(no) in {"both", "all"})
+        ends = {end + (self.text(end) in {"both", "all"}) for way in _BE if (end := self.past_any(start, way))}
+        for end in sorted(ends | {end + 1 for end in ends if self.text(end) in _DONE}):
+            not_there = self.past_any(end, "not") or end
+            here = list(self._predicates(not_there))
+            here += [((Looks(like),), stop) for like, stop in self.single(not_there)]
+            if denied or not_there > end:  # what is joined to it may be denied, too, or not
+                here = [((_denied(said[0]),), stop) for said, stop in here if len(said) == 1]
+            found += here
+        for end in {self.past_any(start, way) for way in _FORM} - {0}:
+            for figure, stop in self.single(end):
+                if isinstance(figure, Noun) and figure.noun in FIGURE.values() and not denied:
+                    found.append(((Made(figure),), stop))
+                    that = self.past_any(stop, "that", "which") or stop
+                    found += [((Made(figure), *more), last) for more, last in self._rest(that)]
+        for end in {self.past_any(start, way) for way in _BEAR} - {0}:
+            if nothing := self.past_any(end, "nothing on top", "nothing on it", "nothing"):
+                found.append(((Bears(None),), nothing))
+            if denied:
+                continue
+            for what, stop in self.phrase(end):
+                found.append(((Bears(what),), stop))
+                found += self._borne(what, stop)
+        if end := self.past_any(start, "touch", "touches", "touching"):
+            found += [((Place("touch", of, no=denied),), stop) for of, stop in self.phrase(end)]
+            if each := self.past_any(end, "each other", "one another"):
+                found.append(((Place("touching", no=denied),), each))
+        return found
+
+    def _borne(self, what: Phrase, at: int) -> Ways[tuple[Predicate, ...]]:
+        """ "a red block on its middle and a blue one on each end"."""
+        found: Ways[tuple[Predicate, ...]] = []
+        for place, end in self.place(at):
+            found.append(((Bears(what, place),), end))
+            if start := self.past_any(end, "and", ", and", ","):
+                for more, stop in self.single(start):
+                    found += [((Bears(what, place), *rest), last) for rest, last in self._borne(more, stop)]
+        return found
+
+
+def _several(phrase: Phrase) -> bool:
+    """Whether more than one block is told."""
+    return not isinstance(phrase, Labels | Noun) or (isinstance(phrase, Noun) and (phrase.many or phrase.count > 1))
+
+
+def _denied(said: Predicate) -> Predicate:
+    """The opposite of what is said; what forms or looks so is not denied here."""
+    if isinstance(said, Place):
+        return replace(said, no=not said.no)
+    return Looks(Pronoun("not"))

@@ -1,0 +1,254 @@
+"""Figures and their parts: those that are spoken of, and further ones."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from rpg.language.compose.items import FIGURE, PART
+from rpg.language.compose.places_of import columns, places
+from rpg.language.compose.scene import Figure, Ref, Scene, Unclear
+from rpg.language.compose.syntax import Both, Chain, Labels, Listing, Noun, Phrase, Pronoun
+
+Resolve = Callable[[Scene, Phrase], Ref]
+"""What a phrase stands for."""
+_FIGURES = frozenset(FIGURE.values())
+_PARTS = frozenset(PART.values())
+_ALL = frozenset({"each", "all", "both"})
+_SIDES = frozenset({"left", "right"})
+_TOWARD = {"left": "to the left of", "right": "to the right of", "near": "in front of", "far": "behind"}
+_OPPOSITE = {"left": "right", "right": "left", "near": "far", "far": "near"}
+_DEFAULT: dict[str, int] = {"plus": 5}
+
+
+def figures_of(scene: Scene, noun: Noun, resolve: Resolve) -> Ref:
+    kind = noun.noun if noun.noun in _FIGURES else scene.figures[-1].kind if scene.figures else ""
+    if not kind:
+        raise Unclear
+    if noun.det in {"the", "each", "all", "both", "any"} or (not noun.det and noun.many and not noun.count):
+        found = [n for n, figure in enumerate(scene.figures) if _fits(scene, n, figure, noun)]
+        found = _ranked(scene, found, noun)
+        if found:
+            many = noun.many or noun.det in _ALL
+            if (not many and len(found) > 1) or (noun.count and noun.count != len(found)) or noun.det == "any":
+                raise Unclear
+            for n in found:
+                scene.figures[n].implied = False
+            return Ref("figure", found, each=noun.det == "each")
+        if noun.many or noun.det in _ALL or (noun.content is None and not noun.size):
+            raise Unclear
+    if noun.nth or noun.bound or set(noun.ranks) - {"tall", "short"}:
+        raise Unclear
+    if noun.count > 1 and noun.made == "from":
+        raise Unclear
+    if isinstance(noun.content, Listing):
+        if noun.count != len(noun.content.parts):
+            raise Unclear
+        made = [_made(scene, replace(noun, count=0, content=of), kind, resolve) for of in noun.content.parts]
+        return Ref("figure", made, fresh=True)
+    made = [_made(scene, noun, kind, resolve) for _ in range(noun.count or 1)]
+    if noun.many and not noun.count:
+        raise Unclear
+    return Ref("figure", made, fresh=True)
+
+
+def _fits(scene: Scene, n: int, figure: Figure, noun: Noun) -> bool:
+    """Whether a figure may be the one that is spoken of."""
+    if noun.noun in _FIGURES and figure.kind != noun.noun:
+        return False
+    if noun.word and figure.word != noun.word:
+        return False
+    if noun.color and {scene.blocks[b].color for b in figure.blocks} != {noun.color}:
+        return False
+    if noun.size and (len(figure.blocks),) != noun.size and figure.size != noun.size:
+        return False
+    if noun.content is None:
+        return True
+    return _same_blocks(scene, figure, noun.content)
+
+
+def _same_blocks(scene: Scene, figure: Figure, content: Phrase) -> bool:
+    """Whether a figure is one of such blocks."""
+    parts = content.parts if isinstance(content, Both) else (content,)
+    blocks = [scene.blocks[n] for n in figure.blocks]
+    for made in parts:
+        if isinstance(made, Labels):
+            if not any(block.label == made.labels[0] for block in blocks):
+                return False
+        elif isinstance(made, Noun) and made.noun in {"block", "one", ""}:
+            like = [block for block in blocks if not made.color or block.color == made.color]
+            if not like or (made.count and made.count != len(like)) or (len(parts) == 1 and len(like) < len(blocks)):
+                return False
+        else:
+            return False
+    return True
+
+
+def _ranked(scene: Scene, found: list[int], noun: Noun) -> list[int]:
+    """Those of the figures that are the tall, the short, the first, the last ones."""
+    for rank in noun.ranks:
+        heights = [len(scene.figures[n].blocks) for n in found]
+        if rank in {"tall", "short"}:
+            if len(found) < 2:
+                continue
+            best = max(heights) if rank == "tall" else min(heights)
+            found = [n for n, height in zip(found, heights, strict=True) if height == best]
+        elif rank in {"former", "latter"}:
+            if len(scene.figures) != 2:
+                raise Unclear
+            found = [0 if rank == "former" else 1]
+        else:
+            found = [n for n in found if _is_farthest(scene, n, found, rank)]
+    if noun.nth:
+        if noun.nth > len(found):
+            raise Unclear
+        found = [found[noun.nth - 1]]
+    return found
+
+
+def _is_farthest(scene: Scene, n: int, found: list[int], rank: str) -> bool:
+    """Whether a figure is said to be on that side of all others of these."""
+    if rank == "middle":
+        sides = [r for r in ("left", "near") if all(_is_between(scene, n, found, r) for _ in found)]
+        return bool(sides)
+    if rank not in _TOWARD:
+        raise Unclear
+    return all(_is_toward(scene, n, other, rank) for other in found if other != n)
+
+
+def _is_between(scene: Scene, n: int, found: list[int], rank: str) -> bool:
+    others = [m for m in found if m != n]
+    toward = [m for m in others if _is_toward(scene, n, m, rank)]
+    away = [m for m in others if _is_toward(scene, m, n, rank)]
+    return len(toward) == len(away) and len(toward) + len(away) == len(others) > 0
+
+
+def _is_toward(scene: Scene, a: int, b: int, rank: str) -> bool:
+    return any(
+        (fact.said.endswith(_TOWARD[rank]) and fact.a.ids == [a] and fact.b.ids == [b])
+        or (fact.said.endswith(_TOWARD[_OPPOSITE[rank]]) and fact.a.ids == [b] and fact.b.ids == [a])
+        for fact in scene.facts
+        if fact.a.kind == "figure" and fact.b is not None and fact.b.kind == "figure" and not fact.no
+    )
+
+
+def _made(scene: Scene, noun: Noun, kind: str, resolve: Resolve) -> int:
+    """A further figure, of further blocks unless its blocks are spoken of."""
+    content, size, here = noun.content, noun.size, list(scene.here)
+    if isinstance(content, Noun) and content.noun in {"block", "one", ""} and not content.color and content.count \
+            and content.det == "" and not content.of and len(size) < 2 and not scene.stock:  # fmt: skip
+        size, content = size or (content.count,), None
+    figure = Figure(kind, [], size if len(size) == 2 else (), noun.word)
+    if isinstance(content, Chain):
+        figure.blocks = [_one(scene, of, resolve) for of in reversed(content.parts)]
+        figure.told = True
+        if kind != "tower" or len(set(figure.blocks)) < len(figure.blocks):
+            raise Unclear
+    elif content is not None:
+        if isinstance(content, Noun) and content.many and not content.count and content.det == "" and size:
+            content = replace(content, count=size[0] if len(size) == 1 else size[0] * size[1])
+        ref = resolve(scene, content)
+        if ref.kind != "block" or ref.bound or ref.no:
+            raise Unclear
+        figure.blocks = list(ref.ids)
+    elif noun.word:
+        if any(block.label in noun.word for block in scene.blocks if block.label):
+            raise Unclear
+        figure.blocks = [scene.new_blocks(1, "", letter)[0] for letter in noun.word]
+        figure.told = True
+    else:
+        alike = [f for f in scene.figures if f.kind == kind]
+        if noun.det == "another" and not size and alike and noun.color:
+            size = (len(alike[-1].blocks),)
+        if not noun.color and any(scene.blocks[f.blocks[0]].color for f in scene.figures):
+            raise Unclear  # of the same colour as that one, or of another
+        many = size[0] if len(size) == 1 else size[0] * size[1] if len(size) == 2 else _DEFAULT.get(kind, 0)
+        figure.blocks = scene.new_blocks(many, noun.color)
+    if noun.color and any(scene.blocks[n].color != noun.color for n in figure.blocks):
+        raise Unclear
+    _check_size(figure, size)
+    if len(figure.blocks) < 2 or any(n in f.blocks for f in scene.figures for n in figure.blocks):
+        raise Unclear
+    scene.figures.append(figure)
+    scene.here = here  # "it" is the figure, not what it is made of
+    return len(scene.figures) - 1
+
+
+def _one(scene: Scene, phrase: Phrase, resolve: Resolve) -> int:
+    ref = resolve(scene, phrase)
+    if ref.kind != "block" or len(ref.ids) != 1:
+        raise Unclear
+    return ref.ids[0]
+
+
+def _check_size(figure: Figure, size: tuple[int, ...]) -> None:
+    """A square of four is two by two; what is said of the size has to fit the blocks."""
+    many = len(figure.blocks)
+    if figure.kind in {"square", "grid", "wall"}:
+        if figure.kind == "square" and not size and many == 4:
+            size = (2, 2)
+        if len(size) != 2 or size[0] * size[1] != many:
+            raise Unclear
+        figure.size = size if figure.kind == "wall" else (size[1], size[0])
+    elif len(size) > 1 or (size and size[0] != many and figure.kind in {"tower", "row", "column"}):
+        raise Unclear
+    if columns(figure) and figure.kind == "square":
+        figure.kind = "grid"
+
+
+def part(scene: Scene, noun: Noun, resolve: Resolve) -> Ref:
+    """The blocks of a figure at some of its places."""
+    figures = _whole_figures(scene, noun, resolve)
+    said = (*noun.ranks, *((noun.noun,) if noun.noun in _PARTS | {"row", "column"} else ()))
+    ids = []
+    for figure in figures:
+        at = places(figure, said, noun.nth, noun.count)
+        if figure.stage < 0 and scene.subject is not None:
+            raise Unclear  # what is put there is on the whole figure, or on what is left of it
+        if noun.det == "other":
+            at = [n for n in at if (figure.blocks, n) != scene.place]
+            if len(at) != 1 or scene.place is None or scene.place[0] is not figure.blocks:
+                raise Unclear
+        scene.settle(figure)
+        scene.place = (figure.blocks, at[0]) if len(at) == 1 else None
+        figure.sided |= bool(_SIDES & set(said)) and figure.kind == "row"
+        ids += [figure.blocks[n] for n in at]
+    if noun.color and any(scene.blocks[n].color != noun.color for n in ids):
+        raise Unclear
+    whole = noun.noun in {"row", "column", "layer", "side"}
+    if not noun.many and noun.det not in _ALL and not noun.count and len(ids) > len(figures) and not whole:
+        raise Unclear
+    if noun.count and noun.count != len(ids):
+        if noun.det in {"the", *_ALL} or noun.bound or noun.count != 1:
+            raise Unclear
+        ids = ids[:1]  # one of the ends, whichever
+        if not scene.alike(figures[0].blocks) or figures[0].sided:
+            raise Unclear
+    return Ref("block", ids, each=noun.det == "each")
+
+
+def _whole_figures(scene: Scene, noun: Noun, resolve: Resolve) -> list[Figure]:
+    """The figures that a part is of: those said, or the one that was spoken of last."""
+    if noun.of is not None and noun.of != Pronoun("it"):
+        ref = resolve(scene, noun.of)
+        if ref.kind == "figure":
+            return [scene.figures[n] for n in ref.ids]
+        held = [scene.figure_of(n) for n in ref.ids]
+        if held and all(f is held[0] for f in held) and held[0] is not None and len(held[0].blocks) == len(ref.ids):
+            return [held[0]]
+        raise Unclear
+    for spoken in (scene.here, scene.before):
+        found = {n for ref in spoken if ref.kind == "figure" for n in ref.ids}
+        if len(found) == 1:
+            scene.mention(Ref("figure", list(found)))
+            return [scene.figures[found.pop()]]
+        if found:
+            raise Unclear
+    if len(scene.figures) == 1:
+        return [scene.figures[0]]
+    raise Unclear
+
+
+def within(scene: Scene) -> bool:
+    """Whether a row that is spoken of is one of a grid or a wall."""
+    return bool(scene.figures) and scene.figures[-1].kind in {"grid", "wall"}

@@ -1,0 +1,110 @@
+"""Words with their classes: what the rules of the compositional reader ask of a token."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from rpg.language import lexicon
+from rpg.language.tokens import Token
+
+_FIGURES = {
+    "tower": "tower stack skyscraper pillar", "row": "row", "line": "line", "column": "column", "grid": "grid",
+    "wall": "wall", "pyramid": "pyramid", "staircase": "staircase stairs", "square": "square", "plus": "plus cross",
+    "circle": "circle ring", "triangle": "triangle", "word": "word", "group": "group cluster bunch",
+}  # fmt: skip
+_PARTS = {
+    "end": "end", "corner": "corner", "middle": "middle center centre", "top": "top", "bottom": "bottom base foot",
+    "step": "step", "arm": "arm", "layer": "layer", "side": "side", "half": "half",
+}  # fmt: skip
+FIGURE = {word: kind for kind, words in _FIGURES.items() for word in words.split()}
+PART = {word: kind for kind, words in _PARTS.items() for word in words.split()}
+COLOR = {word: color for color, words in lexicon.COLORS.items() for word in words.split()}
+BLOCK = frozenset(f"{lexicon.BLOCK_NOUNS} object piece item".split())
+PATCH = frozenset(["patch", "mat", "zone", "pad", "target", "spot", "area", "square_patch", "marker", "goal"])
+TABLE = frozenset(lexicon.TABLE_NOUNS.split())
+SYMBOL = {"letter": "letter", "digit": "digit", "number": "digit", "numeral": "digit"}
+ORDINAL = {word: n for n, words in lexicon.ORDINALS.items() for word in words.split()}
+RANK = {
+    "left": "left", "leftmost": "left", "right": "right", "rightmost": "right", "far": "far", "back": "far",
+    "rear": "far", "farther": "far", "near": "near", "nearer": "near", "front": "near", "closer": "near",
+    "top": "top", "topmost": "top", "upper": "top", "highest": "top", "bottom": "bottom", "lower": "bottom",
+    "lowest": "bottom", "middle": "middle", "central": "middle", "center": "middle", "centre": "middle",
+    "inner": "middle", "outer": "outer", "tall": "tall", "taller": "tall", "tallest": "tall", "higher": "tall",
+    "big": "tall", "bigger": "tall", "biggest": "tall", "large": "tall", "larger": "tall", "long": "tall",
+    "longer": "tall", "longest": "tall", "short": "short", "shorter": "short", "shortest": "short", "small": "short",
+    "smaller": "short", "smallest": "short", "little": "short", "last": "last", "corner": "corner", "end": "end",
+    "former": "former", "latter": "latter",
+}  # fmt: skip
+IDLE = frozenset(
+    [
+        "please",
+        "kindly",
+        "simply",
+        "also",
+        "itself",
+        "themselves",
+        "thanks",
+        "thx",
+        "ok",
+        "okay",
+        "well",
+        "actually",
+        "precisely",
+        "pls",
+    ]
+)
+_PLAIN = frozenset(["single", "lone", "plain", "simple", "own", "whole", "entire", "individual", "separate"])
+
+
+@dataclass(frozen=True, slots=True)
+class Item:
+    """A word: `text` in lower case and in the singular where it is a noun; `many`: it is a plural."""
+
+    text: str
+    raw: str
+    many: bool = False
+    number: int = 0
+    marks: frozenset[str] = field(default_factory=frozenset)
+    value: str = ""
+
+
+def items_of(tokens: Sequence[Token]) -> list[Item] | None:
+    """The words of a text without idle ones; None where one of them is of no class that is known here."""
+    found: list[Item] = []
+    for token in tokens:
+        word = token.word.strip("'’")
+        if token.kind in {"quote", "literal"}:
+            found.append(Item(word, token.raw, value=str(token.value).upper()))
+        elif token.kind == "dims" and isinstance(token.value, tuple):
+            found.append(Item("dims", token.raw, value="x".join(str(n) for n in token.value)))
+        elif token.kind == "equation":
+            return None
+        elif token.kind == "number":
+            if not token.many and token.raw != "0":
+                return None
+            found.append(Item(word, token.raw, number=token.many))
+        elif word in IDLE:
+            continue
+        elif token.kind == "punct":
+            mark = {"(": ",", ")": ",", "-": ",", "–": ",", "—": ",", "&": "and"}.get(word, word)
+            if mark == ";" and found and found[-1].text == ".":
+                return None  # a numbered list tells an order
+            found.append(Item(mark, token.raw))
+        else:
+            found.append(_word(token, word))
+    return found
+
+
+def _word(token: Token, word: str) -> Item:
+    """A word in the singular, if it is a noun that is known."""
+    number = token.many
+    if word in _PLAIN:
+        return Item("plain", token.raw)
+    for end, said in (("", ""), ("s", ""), ("es", ""), ("ies", "y")):
+        base = word[: len(word) - len(end)] + said if word.endswith(end) else ""
+        if base in FIGURE or base in PART or base in BLOCK or base in PATCH or base in SYMBOL or base == "one":
+            return Item(base, token.raw, many=bool(end), number=number)
+        if base in COLOR and end:
+            return Item(base, token.raw, many=True)
+    return Item(word, token.raw, number=number)

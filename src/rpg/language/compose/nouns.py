@@ -1,0 +1,285 @@
+"""What the noun phrases of a text stand for."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language.compose.figures import figures_of, part, within
+from rpg.language.compose.items import FIGURE, PART
+from rpg.language.compose.scene import Patch, Ref, Scene, Unclear
+from rpg.language.compose.syntax import Both, Chain, Labels, Listing, Noun, Phrase, Pronoun
+
+_FIGURES = frozenset(FIGURE.values())
+_PARTS = frozenset(PART.values())
+_ALL = frozenset({"each", "all", "both"})
+_SIDES = frozenset({"left", "right"})
+
+
+def resolve(scene: Scene, phrase: Phrase) -> Ref:
+    """What a phrase stands for; what it tells of for the first time is put into the scene."""
+    if isinstance(phrase, Pronoun):
+        return scene.mention(_pronoun(scene, phrase.word))
+    if isinstance(phrase, Labels):
+        return scene.mention(Ref("block", [_labelled(scene, label, phrase.color) for label in phrase.labels]))
+    if isinstance(phrase, Both):
+        return _both(scene, phrase)
+    if isinstance(phrase, Chain | Listing):
+        raise Unclear
+    ref = _noun(scene, replace(phrase, but=None))
+    if phrase.but is not None:
+        if isinstance(phrase.but, Noun) and phrase.but.count:
+            raise Unclear
+        without = resolve(scene, phrase.but)
+        if ref.kind != without.kind or not set(without.ids) < set(ref.ids) or ref.bound or ref.fresh:
+            raise Unclear
+        ref = replace(ref, ids=[n for n in ref.ids if n not in without.ids])
+    return scene.mention(ref)
+
+
+def _labelled(scene: Scene, label: str, color: str) -> int:
+    found = [n for n, block in enumerate(scene.blocks) if block.label == label]
+    if len(found) > 1:
+        raise Unclear
+    return found[0] if found else scene.new_blocks(1, color, label)[0]
+
+
+def _both(scene: Scene, phrase: Both) -> Ref:
+    """Several: all of one kind, or told of one by one."""
+    if phrase.either:
+        raise Unclear
+    refs = [resolve(scene, part) for part in phrase.parts]
+    if len({ref.kind for ref in refs}) > 1 or any(ref.bound or ref.no or ref.each for ref in refs):
+        raise Unclear
+    if any(isinstance(part, Labels) and part.labels[0].isdigit() for part in phrase.parts) and not all(
+        isinstance(part, Labels) for part in phrase.parts
+    ):
+        raise Unclear  # numbers of blocks, or on them
+    if len({isinstance(part, Noun) and part.of is not None and bool(part.count) for part in phrase.parts}) > 1:
+        raise Unclear  # "one of the red block and the blue block"
+    ids = [n for ref in refs for n in ref.ids]
+    if len(set(ids)) < len(ids):
+        raise Unclear
+    rest = [n for ref in refs for n in ref.rest]
+    return scene.mention(Ref(refs[0].kind, ids, rest, fresh=all(ref.fresh for ref in refs)))
+
+
+def _pronoun(scene: Scene, word: str) -> Ref:
+    """The one thing, or the one lot, that was spoken of last and that it can stand for."""
+    if word == "which":
+        return _last(scene)
+    many = word in {"they", "their", "them", "these", "those", "both"}
+    for spoken in (scene.here, scene.before):
+        fits = [ref for ref in spoken if (len(ref.ids) > 1) == many and ref.kind != "table"]
+        fits = [ref for ref in fits if not _is_subject(scene, ref)]
+        if many and not fits and spoken is scene.before and len(scene.figures) > 1:
+            if any(figure.implied for figure in scene.figures):
+                raise Unclear
+            fits = [Ref("figure", list(range(len(scene.figures))))]
+        if word == "both":
+            fits = [ref for ref in fits if len(ref.ids) == 2]
+        if not fits:
+            continue
+        first = fits[0] if len({(ref.kind, tuple(ref.ids)) for ref in fits}) == 1 else None
+        if first is None or (first.kind == "block" and not many and _is_member(scene, first.ids[0])):
+            raise Unclear
+        whole = next(
+            (n for n, f in enumerate(scene.figures) if f.kind == "tower" and set(f.blocks) == set(first.ids)), None
+        )
+        if first.kind == "block" and whole is not None:
+            return Ref("figure", [whole])
+        return replace(first, fresh=False, each=False, bound="", no=False)
+    raise Unclear
+
+
+def _is_member(scene: Scene, block: int) -> bool:
+    """Whether a block was told as one of a figure: "it" may be either."""
+    return any(block in f.blocks and not f.implied for f in scene.figures)
+
+
+def _is_subject(scene: Scene, ref: Ref) -> bool:
+    """Whether this is, or is one of, what something is being said of: "it" is something else then."""
+    return scene.subject is not None and ref.kind == scene.subject[0] and set(ref.ids) <= set(scene.subject[1])
+
+
+def _last(scene: Scene) -> Ref:
+    """What "which" stands for: what is told right before it."""
+    spoken = scene.here or scene.before
+    if not spoken or spoken[-1].kind == "table":
+        raise Unclear
+    return replace(spoken[-1], fresh=False, each=False, bound="", no=False)
+
+
+def _noun(scene: Scene, noun: Noun) -> Ref:
+    if noun.det == "other" and noun.noun not in _PARTS:
+        return _others(scene, noun)
+    of_figure = noun.noun in _PARTS or noun.ranks or noun.nth
+    if noun.of is not None and of_figure and noun.noun not in _FIGURES - {"row", "column"}:
+        return part(scene, noun, resolve)
+    if noun.of is not None or noun.det == "but":
+        return _some_of(scene, noun)
+    if noun.noun in {"row", "layer", "column"} and noun.ranks and within(scene):
+        return part(scene, noun, resolve)
+    if noun.noun == "one" and noun.det in {"a", "another"} and not noun.color and scene.figures:
+        return figures_of(scene, noun, resolve)
+    if noun.noun == "table":
+        return Ref("table", [])
+    if noun.noun == "patch":
+        return _patch(scene, noun)
+    if noun.noun in _FIGURES:
+        return figures_of(scene, noun, resolve)
+    if noun.noun in {"letter", "digit"}:
+        raise Unclear
+    if noun.noun in _PARTS or (noun.ranks and noun.noun in {"block", "one"}) or (noun.nth and noun.noun == "one"):
+        return _by_rank(scene, noun)
+    return _blocks(scene, noun)
+
+
+def _by_rank(scene: Scene, noun: Noun) -> Ref:
+    """ "the middle one", "the left end", "the taller one", "the third": a part, a figure, or the one that is left."""
+    if set(noun.ranks) & {"tall", "short", "former", "latter"} or (noun.noun == "one" and noun.det == "another"):
+        return figures_of(scene, noun, resolve)
+    if noun.nth and not noun.ranks:
+        left = [n for n in scene.whole if n not in scene.taken]
+        if scene.whole and noun.nth == len(scene.whole) and len(left) == 1:
+            return _take(scene, left)
+        raise Unclear
+    if noun.ranks == ("last",):
+        left = [n for n in scene.whole if n not in scene.taken]
+        if len(left) == 1:
+            return _take(scene, left)
+        raise Unclear
+    return part(scene, noun, resolve)
+
+
+def _take(scene: Scene, ids: list[int]) -> Ref:
+    scene.taken += [n for n in ids if n not in scene.taken]
+    return Ref("block", ids)
+
+
+def _others(scene: Scene, noun: Noun) -> Ref:
+    """Those of the last lot that were not yet told of by themselves, or the other one of two figures or patches."""
+    if noun.noun in _FIGURES:
+        spoken = {n for ref in (*scene.here, *scene.before) if ref.kind == "figure" for n in ref.ids}
+        left = [n for n in range(len(scene.figures)) if n not in spoken]
+        if len(left) != (noun.count or 1) or not spoken:
+            raise Unclear
+        return Ref("figure", left)
+    if noun.noun == "patch":
+        raise Unclear
+    left = [n for n in scene.whole if n not in scene.taken]
+    if not scene.taken or not left or (noun.count and noun.count != len(left)):
+        raise Unclear
+    if not noun.many and not noun.count and len(left) > 1:
+        raise Unclear
+    if noun.color and any(scene.blocks[n].color != noun.color for n in left):
+        raise Unclear
+    return _take(scene, left)
+
+
+def _some_of(scene: Scene, noun: Noun) -> Ref:
+    """So many of a lot: any of those that look alike, of which nothing was said yet."""
+    here = list(scene.here)
+    if noun.of is None and not scene.whole:
+        raise Unclear
+    whole = resolve(scene, noun.of) if noun.of is not None else Ref("block", list(scene.whole))
+    scene.here = here  # those that are meant are spoken of, not those that they are some of
+    if whole.kind == "figure" and noun.noun in {"block", "one"}:
+        whole = Ref("block", [n for at in whole.ids for n in scene.figures[at].blocks])
+    if whole.fresh and scene.figures and isinstance(noun.of, Noun) and noun.of.det != "the":
+        raise Unclear  # "one of two blocks" may be a figure
+    ids = whole.ids
+    if noun.det == "all" and noun.of == Pronoun("them") and len(ids) < len(scene.blocks):
+        raise Unclear
+    if noun.det in _ALL:
+        if noun.det == "both" and len(ids) != 2:
+            raise Unclear
+        return Ref(whole.kind, ids, each=noun.det == "each", every=True)
+    if noun.det == "no":
+        return Ref(whole.kind, ids, no=True, each=True)
+    count = len(ids) // 2 if noun.det == "half" else len(ids) - noun.count if noun.det == "but" else noun.count
+    if whole.kind != "block" or not count or count > len(ids) or (noun.det == "half" and len(ids) % 2):
+        raise Unclear
+    if not scene.alike(ids) or noun.bound == "most":
+        raise Unclear
+    if scene.whole != ids:
+        if any(n in scene.used for n in ids):
+            raise Unclear  # which ones would not be clear
+        scene.whole, scene.taken = list(ids), []
+    left = [n for n in ids if n not in scene.taken]
+    if len(left) < count or (noun.bound and scene.taken):
+        raise Unclear
+    chosen = left[:count]
+    rest = [n for n in ids if n not in chosen] if noun.bound != "least" else []
+    return replace(_take(scene, chosen), rest=rest, bound=noun.bound)
+
+
+def _patch(scene: Scene, noun: Noun) -> Ref:
+    if noun.ranks or noun.nth or noun.many or noun.count > 1 or noun.det not in {"a", "the", ""}:
+        raise Unclear
+    found = [n for n, patch in enumerate(scene.patches) if not noun.color or patch.color in {noun.color, ""}]
+    if len(found) > 1:
+        raise Unclear
+    if not found:
+        if not noun.color and scene.patches:
+            raise Unclear
+        scene.patches.append(Patch(noun.color))
+        found = [len(scene.patches) - 1]
+    patch = scene.patches[found[0]]
+    patch.color = patch.color or noun.color
+    return Ref("patch", found)
+
+
+def _blocks(scene: Scene, noun: Noun) -> Ref:
+    """Blocks by their colour: those that are there, or further ones."""
+    like = [n for n, block in enumerate(scene.blocks) if not noun.color or block.color == noun.color]
+    definite = noun.det in {"the", *_ALL} or (not noun.det and not noun.count and bool(noun.color))
+    many = noun.many or noun.det in _ALL or noun.count > 1
+    if noun.bound or noun.det in {"any", "no"} or (noun.noun == "one" and not noun.color) or noun.nth or noun.ranks:
+        raise Unclear
+    if not like and definite and noun.det and not noun.noun:
+        raise Unclear  # "the red" may be a patch
+    if not like and definite and noun.noun == "one" and (scene.figures or not scene.blocks):
+        raise Unclear  # the red one of what?
+    if noun.noun == "one" and not definite and (not scene.here or scene.here[-1].kind != "block"):
+        raise Unclear
+    if (
+        (definite or noun.noun in {"", "one"})
+        and not like
+        and any(not block.color and not block.label for block in scene.blocks)
+    ):
+        raise Unclear  # this could be one of those of which no colour was said
+    if definite and like:
+        if (noun.count and noun.count != len(like)) or (not many and len(like) > 1):
+            raise Unclear
+        if not noun.det and any(not noun.color for _ in like):
+            raise Unclear
+        return Ref("block", like, each=noun.det == "each", every=noun.det in _ALL)
+    if not noun.color and (definite or (not noun.count and noun.det != "another")):
+        raise Unclear
+    count = noun.count or (2 if noun.det == "both" else 1)
+    if many and not noun.count and noun.det != "both":
+        raise Unclear
+    if noun.det in {"a", ""} and (stock := _in_stock(scene, noun.color)):
+        left = [n for n in stock if n not in scene.taken]
+        if len(left) < count:
+            raise Unclear
+        if scene.whole != stock:
+            scene.whole, scene.taken = list(stock), []
+        return replace(_take(scene, left[:count]), fresh=True)
+    if noun.det == "another" and like:
+        left = [n for n in scene.whole if n not in scene.taken]
+        if not scene.taken or not left or left[0] not in like:
+            raise Unclear
+        return replace(_take(scene, left[:count]), fresh=True)
+    if not noun.color and any(not block.color and not block.label for block in scene.blocks):
+        raise Unclear
+    ids = scene.new_blocks(count, noun.color)
+    return Ref("block", ids, fresh=True, each=noun.det == "each", every=noun.det in _ALL)
+
+
+def _in_stock(scene: Scene, color: str) -> list[int]:
+    """The lot of such blocks that the text said there is."""
+    found = [lot for lot in scene.stock if not color or scene.blocks[lot[0]].color == color]
+    if len(found) > 1:
+        raise Unclear
+    return found[0] if found else []

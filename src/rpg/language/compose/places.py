@@ -1,0 +1,122 @@
+"""The places of a text: relations to what a noun phrase tells, and bare ones such as "on top"."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from rpg.language.compose.items import RANK
+from rpg.language.compose.phrases import BOUNDS, Phrases
+from rpg.language.compose.syntax import Place
+from rpg.language.compose.words import Ways, remembered
+
+_WORDS: dict[str, tuple[str, ...]] = {
+    "on": ("on top of", "atop", "on to", "onto", "upon", "on"),
+    "under": ("under", "underneath", "beneath", "below"),
+    "left": ("to the left of", "on the left of", "left of", "to left of"),
+    "right": ("to the right of", "on the right of", "right of", "to right of"),
+    "front": ("in front of", "to the front of"),
+    "behind": ("behind", "in back of", "at the back of"),
+    "next": ("next to", "beside", "alongside", "by the side of", "right next to"),
+    "near": ("near", "close to"),
+    "between": ("in between", "between"),
+    "touch": ("touching", "against", "in contact with"),
+    "apart": ("away from", "from"),
+    "far": ("far from", "far away from", "well away from"),
+    "off": ("off of", "off", "outside of", "outside", "not on"),
+    "in": ("inside of", "inside", "within", "into", "in", "at", "to"),
+    "opposite": ("at the other end of",),
+}
+RELATIONS = sorted(
+    ((words.split(), relation) for relation, ways in _WORDS.items() for words in ways), key=lambda way: -len(way[0])
+)
+_BARE: dict[str, tuple[str, ...]] = {
+    "top": ("on top", "on the top", "at the top", "at the very top", "on the very top"),
+    "bottom": ("at the bottom", "on the bottom", "below"),
+    "middle": ("in the middle", "in between", "between them", "in the center", "in the centre", "at the center"),
+    "left": ("on the left", "to the left", "at the left", "on its left", "to its left", "at the left end"),
+    "right": ("on the right", "to the right", "at the right", "on its right", "to its right", "at the right end"),
+    "front": ("in front",),
+    "behind": ("behind", "in back", "at the back"),
+    "free": ("free", "clear", "uncovered", "bare", "empty"),
+    "table": ("on the table", "on the ground"),
+    "flat": ("without being stacked", "not stacked", "flat on the table", "unstacked"),
+    "side by side": ("side by side", "next to each other", "beside each other", "next to one another"),
+    "touching": ("touching", "touching each other", "in contact"),
+    "apart": ("apart", "apart from each other", "away from each other"),
+    "alone": ("alone", "by themselves", "on their own", "on its own"),
+}
+BARE = sorted(((words.split(), place) for place, ways in _BARE.items() for words in ways), key=lambda way: -len(way[0]))
+_HOW = {
+    "directly": "directly", "right": "immediately", "immediately": "immediately", "straight": "directly",
+    "flat": "flat", "somewhere": "somewhere", "anywhere": "somewhere",
+}  # fmt: skip
+_INTO_REGION = ("in the", "on the", "at the", "to the", "into the", "in", "onto the", "near the")
+_SIDES = frozenset({"left", "right", "near", "far"})
+_UNITS = {"cm": 1.0, "centimeters": 1.0, "centimetres": 1.0, "centimeter": 1.0, "mm": 0.1}
+
+
+def _top(words: list[str]) -> str:
+    """Whether it is said that something is on top, not only on."""
+    return "top" if words[:2] == ["on", "top"] or words == ["atop"] else ""
+
+
+class Places(Phrases):
+    """Reads places."""
+
+    @remembered
+    def place(self, at: int) -> Ways[Place]:
+        """A relation with what it is to, or a bare one."""
+        found: Ways[Place] = []
+        for words, name in BARE:
+            if end := self.past(at, words):
+                found.append((Place(name), end))
+        found += self._region(at)
+        for how, start in self._how(at):
+            if how.cm and (end := self.past_any(start, "apart", "apart from each other", "away from each other")):
+                found.append((replace(how, relation="apart"), end))
+        no = self.past_any(at, "not") or at
+        for how, start in self._how(no):
+            for words, relation in RELATIONS:
+                if end := self.past(start, words):
+                    found += [
+                        (replace(how, relation=relation, of=thing, no=no > at, how=how.how or _top(words)), stop)
+                        for thing, stop in self.phrase(end)
+                    ]
+        return found
+
+    def _region(self, at: int) -> Iterator[tuple[Place, int]]:
+        """ "in the left half of the table", "at the far edge of the table"."""
+        start = self.past_any(at, *_INTO_REGION)
+        ranks: list[str] = []
+        while start and (rank := RANK.get(self.text(start))) in _SIDES:
+            ranks.append(str(rank))
+            start += 1
+        if not start:
+            return
+        part = {"side": "half", "center": "middle"}.get(self.text(start), self.text(start))
+        end = self.past_any(start + 1, "of the table", "of table")
+        if part == "middle" and end and not ranks:
+            yield Place("region", how="in the middle"), end
+        elif part == "half" and len(ranks) == 1:
+            yield Place("region", how=f"in the {ranks[0]} half"), end or start + 1
+        elif part == "edge" and len(ranks) == 1 and end:
+            yield Place("region", how=f"at the {ranks[0]} edge"), end
+        elif part == "corner" and len(ranks) == 2 and end:
+            deep = [rank for rank in ranks if rank in {"near", "far"}]
+            wide = [rank for rank in ranks if rank in {"left", "right"}]
+            if deep and wide:
+                yield Place("region", how=f"in the {deep[0]} {wide[0]} corner"), end
+
+    def _how(self, at: int) -> Iterator[tuple[Place, int]]:
+        """ "directly", "somewhere", "at least 10 cm", and nothing."""
+        yield Place(""), at
+        if how := _HOW.get(self.text(at)):
+            yield Place("", how=how), at + 1
+        start = at
+        bound = ""
+        for words, sense, _ in BOUNDS:
+            if end := self.past(at, words):
+                start, bound = end, sense
+        if self.items[start : start + 1] and self.items[start].number and (unit := _UNITS.get(self.text(start + 1))):
+            yield Place("", cm=self.items[start].number * unit, bound=bound), start + 2

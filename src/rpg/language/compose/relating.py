@@ -1,0 +1,240 @@
+"""How blocks, figures and patches of a scene relate: on, beside, between, in a region, in a place of a figure."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import combinations
+
+from rpg.language.compose.nouns import resolve
+from rpg.language.compose.places_of import places
+from rpg.language.compose.scene import Fact, Figure, Ref, Scene, Unclear
+from rpg.language.compose.syntax import Both, Phrase, Place
+
+SIDES = {"left": "to the left of", "right": "to the right of", "front": "in front of", "behind": "behind"}
+_RELATIONS = {**SIDES, "next": "next to", "near": "near"}
+_BARE_PLACES = frozenset({"top", "bottom", "middle", "left", "right", "front", "behind"})
+
+
+def tops_of(scene: Scene, ref: Ref) -> list[int]:
+    """The blocks that something lies on when it lies on these."""
+    if ref.kind == "block" and not ref.bound:
+        return ref.ids
+    if ref.kind != "figure":
+        raise Unclear
+    tops = []
+    for at in ref.ids:
+        figure = scene.figures[at]
+        if figure.kind != "tower" or figure.stage < 0:
+            raise Unclear
+        scene.settle(figure)
+        tops.append(figure.blocks[-1])
+    return tops
+
+
+def bare(scene: Scene, ref: Ref, said: Place) -> None:
+    """A place that is told without what it is a place of."""
+    name = said.relation
+    if name == "free" and ref.kind == "patch" and not said.no:
+        scene.facts += [Fact(Ref("patch", [n]), "empty") for n in ref.ids]
+    elif name in {"free", "table", "flat"} and ref.kind == "block" and not ref.bound:
+        word = {"free": "clear", "table": "table", "flat": "table"}[name]
+        if said.no:
+            raise Unclear
+        scene.facts += [Fact(Ref("block", [n]), word) for n in ref.ids]
+    elif name in {"side by side", "touching", "apart"} and not ref.each and not ref.bound:
+        if ref.rest and said.cm:
+            raise Unclear
+        if len(ref.ids) != 2 and (name != "apart" and not said.no):
+            raise Unclear
+        word = {"side by side": "next to", "touching": "touch", "apart": "apart"}[name]
+        if said.cm:
+            bound = {"least": "at least ", "most": "at most "}.get(said.bound, "")
+            word = f"{bound}{said.cm:g} cm from"
+        scene.facts += [
+            Fact(Ref(ref.kind, [a]), word, Ref(ref.kind, [b]), no=said.no) for a, b in combinations(ref.ids, 2)
+        ]
+    elif name in _BARE_PLACES and not said.no:
+        _in_figure(scene, ref, name)
+    else:
+        raise Unclear
+
+
+def in_region(scene: Scene, ref: Ref, said: Place) -> None:
+    if ref.kind not in {"block", "figure"} or said.no or ref.bound:
+        raise Unclear
+    for ids in (scene.figures[n].blocks for n in ref.ids) if ref.kind == "figure" else (ref.ids,):
+        scene.facts.append(Fact(Ref("block", ids), f"{said.how} of the table"))
+
+
+def _in_figure(scene: Scene, ref: Ref, name: str) -> None:
+    """ "on top", "at the left end": in the figure that was spoken of, if it is one of its blocks; else on or beside."""
+    spoken = [r for refs in (scene.here, scene.before) for r in refs if r.kind == "figure" and r is not ref]
+    if ref.kind == "block" and len(ref.ids) == 1 and (own := scene.figure_of(ref.ids[0])) is not None:
+        spoken = [Ref("figure", [scene.figures.index(own)])]
+    if len({tuple(r.ids) for r in spoken}) > 1:
+        raise Unclear
+    last = spoken[0] if spoken else None
+    if last is not None and any(scene.blocks[n].look[2] for at in last.ids for n in scene.figures[at].blocks):
+        raise Unclear  # it may be one of its blocks
+    if last is None or len(last.ids) != 1 or ref.kind == "table":
+        raise Unclear
+    figure = scene.figures[last.ids[0]]
+    if ref.kind == "block" and set(ref.ids) <= set(figure.blocks) and len(ref.ids) == 1:
+        at = places(figure, (name,))
+        if len(at) != 1 or figure.told or figure.placed.get(at[0], ref.ids[0]) != ref.ids[0]:
+            raise Unclear
+        figure.placed[at[0]] = ref.ids[0]
+        scene.place = (figure.blocks, at[0])
+        figure.sided |= name in {"left", "right"}
+        return
+    if name == "top" and ref.kind == "block":
+        on(scene, ref, Ref("block", tops_of(scene, last)), "on", no=False)
+    elif name in SIDES:
+        scene.facts.append(Fact(ref, SIDES[name], last))
+    else:
+        raise Unclear
+
+
+def between(scene: Scene, ref: Ref, of: Phrase, said: Place) -> None:
+    """Between two things, told one by one or as two."""
+    if isinstance(of, Both) and len(of.parts) == 2:
+        first, second = (resolve(scene, part) for part in of.parts)
+    else:
+        both = resolve(scene, of)
+        if len(both.ids) != 2:
+            raise Unclear
+        first, second = (Ref(both.kind, [n]) for n in both.ids)
+    if said.no or said.cm or ref.bound or first.kind == "patch" or second.kind == "patch":
+        raise Unclear
+    scene.facts.append(Fact(ref, "between", first, second))
+
+
+def place(scene: Scene, ref: Ref, target: Ref, said: Place) -> None:
+    """A relation to something that is told."""
+    name = said.relation
+    if target.no:
+        said, target = replace(said, no=not said.no), replace(target, no=False)
+    if ref.kind in {"patch", "table"} or target.bound:
+        raise Unclear
+    if name in {"in", "on"} and target.kind == "patch":
+        _on_patch(scene, ref, target, no=said.no)
+        if said.how == "flat":
+            bare(scene, ref, Place("flat", no=said.no))
+    elif name == "off" and target.kind == "patch":
+        _on_patch(scene, ref, target, no=not said.no)
+    elif name in {"off", "in", "opposite"}:
+        raise Unclear
+    elif name == "on" and target.kind == "table":
+        if ref.kind != "block" or said.no:
+            raise Unclear
+        scene.facts += [Fact(Ref("block", [n]), "table") for n in ref.ids]
+    elif name == "under":
+        if ref.kind != "block" or len(ref.ids) != 1 or said.how == "somewhere":
+            raise Unclear
+        on(scene, target, ref, "on", no=said.no)
+    elif name == "on":
+        on(scene, ref, target, "somewhere above" if said.how == "somewhere" else "on", no=said.no)
+    else:
+        _beside(scene, ref, target, said)
+
+
+def _on_patch(scene: Scene, ref: Ref, target: Ref, *, no: bool) -> None:
+    if len(target.ids) != 1 or (ref.bound and no) or ref.bound == "most":
+        raise Unclear
+    if ref.kind == "figure":
+        for at in ref.ids:
+            scene.facts.append(Fact(Ref("block", scene.figures[at].blocks), "patch", target, no=no))
+        return
+    if no:
+        scene.facts += [Fact(Ref("block", [n]), "patch", target, no=True) for n in ref.ids]
+    else:
+        scene.facts.append(Fact(Ref("block", ref.ids), "patch", target))
+    scene.facts += [Fact(Ref("block", [n]), "patch", target, no=True) for n in ref.rest]
+
+
+def on(scene: Scene, ref: Ref, target: Ref, word: str, *, no: bool) -> None:
+    """One on one, or one on each of as many."""
+    if target.kind == "figure" and len(target.ids) == 1 and ref.kind == "block" and not no and word == "on":
+        figure = scene.figures[target.ids[0]]
+        if figure.kind != "tower" and len(ref.ids) > 1:
+            scene.pending.append((ref.ids, figure.blocks))
+            return
+    if target.kind == "figure" or (target.kind == "block" and len(target.ids) > 1 and len(ref.ids) == 1):
+        target = Ref("block", tops_of(scene, target))
+    upper = ref.ids
+    if ref.kind == "figure":
+        upper = []
+        for at in ref.ids:
+            scene.settle(scene.figures[at])
+            upper.append(scene.figures[at].blocks[0])
+    if ref.kind == "block" and any(f.kind == "word" and set(ref.ids) & set(f.blocks) for f in scene.figures):
+        raise Unclear
+    if target.kind != "block" or ref.bound in {"exactly", "most", "least"} or len(upper) != len(target.ids):
+        raise Unclear
+    if no and len(upper) > 1:
+        raise Unclear
+    if len(upper) > 1 and not (scene.alike(upper) or scene.alike(target.ids)):
+        raise Unclear
+    if any(n in scene.used for n in upper) and len(upper) > 1:
+        raise Unclear
+    for a, b in zip(upper, target.ids, strict=True):
+        scene.facts.append(Fact(Ref("block", [a]), word, Ref("block", [b]), no=no))
+        if word == "on" and not no and (tower := next((f for f in scene.figures if f.blocks[-1] == b), None)):
+            if tower.implied:
+                tower.blocks.append(a)
+        elif word == "on" and not no and not any({a, b} & set(f.blocks) for f in scene.figures):
+            scene.figures.append(Figure("tower", [b, a], told=True, implied=True))
+
+
+def _beside(scene: Scene, ref: Ref, target: Ref, said: Place) -> None:
+    """Sides, distances, touch."""
+    if ref.bound or target.kind == "table":
+        raise Unclear
+    some = (
+        [Ref(ref.kind, [n]) for n in ref.ids]
+        if ref.each or said.no or said.relation in {"touch", "apart", "far"}
+        else [ref]
+    )
+    several = len(target.ids) > 1
+    others = [target]
+    if said.relation in SIDES and not said.no and not said.cm:
+        some = [replace(ref, each=False)]
+        target = replace(target, each=False)
+    if target.each or (several and said.relation in {"apart", "far", "near"}) or (several and said.no):
+        others = [Ref(target.kind, [n]) for n in target.ids]
+    if several and said.relation == "touch" and not said.no:
+        others = [Ref(target.kind, [n]) for n in target.ids]
+    for a in some:
+        for b in others:
+            if set(_blocks(scene, a)) & set(_blocks(scene, b)) and a.kind == b.kind:
+                raise Unclear
+            scene.facts += _facts_beside(a, b, said)
+
+
+def _facts_beside(a: Ref, b: Ref, said: Place) -> list[Fact]:
+    how = {"top": "", "directly": "directly ", "immediately": "immediately ", "somewhere": "somewhere ", "": ""}[
+        said.how
+    ]
+    bound = {"": "", "least": "at least ", "most": "at most ", "exactly": ""}[said.bound]
+    far = [Fact(a, f"{bound}{said.cm:g} cm from", b, no=said.no)] if said.cm else []
+    if said.relation in SIDES:
+        if said.no and (said.cm or said.how):
+            raise Unclear
+        return [Fact(a, f"{how}{SIDES[said.relation]}", b, no=said.no), *far]
+    if said.relation == "apart" and said.cm and not said.how:
+        return far
+    if said.cm or said.how == "somewhere":
+        raise Unclear
+    if said.relation in {"next", "near"}:
+        return [Fact(a, _RELATIONS[said.relation], b, no=said.no)]
+    if said.relation == "touch":
+        return [Fact(a, "touch", b, no=said.no)]
+    if said.relation == "far":
+        return [Fact(a, "far from", b, no=said.no)]
+    raise Unclear
+
+
+def _blocks(scene: Scene, ref: Ref) -> list[int]:
+    if ref.kind == "figure":
+        return [n for at in ref.ids for n in scene.figures[at].blocks]
+    return ref.ids if ref.kind == "block" else []

@@ -1,0 +1,144 @@
+"""What a text has told of so far: blocks, figures, patches, and what is to hold of them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from rpg.language.frames.pieces import Unclear
+
+__all__ = ["Block", "Fact", "Figure", "Patch", "Ref", "Scene", "Unclear"]
+
+
+@dataclass(slots=True)
+class Block:
+    """A block. No colour and no label: nothing is said of how it looks; those of one `lot` look alike then."""
+
+    color: str = ""
+    label: str = ""
+    lot: int = 0
+
+    @property
+    def look(self) -> tuple[str, str, int]:
+        return (self.color, self.label, 0 if self.color or self.label else self.lot)
+
+
+@dataclass(slots=True)
+class Patch:
+    color: str = ""
+
+
+@dataclass(slots=True)
+class Figure:
+    """Blocks that form something, in the order of its places.
+
+    `placed`: which block is at a place, as far as this was said; `told`: places matter, so that the order is told;
+    `sided`: the places of a row are counted from the left; `implied`: it is told by what
+    lies on what. `stage`: when it is formed, -1 at the start. Places of a tower are counted from the bottom, those of a
+    row from the left, of anything else row by row from the far left, or from the top left of what stands upright.
+    """
+
+    kind: str
+    blocks: list[int]
+    size: tuple[int, ...] = ()
+    word: str = ""
+    placed: dict[int, int] = field(default_factory=dict)
+    told: bool = False
+    sided: bool = False
+    implied: bool = False
+    stage: int = 0
+
+
+@dataclass(slots=True)
+class Ref:
+    """What a phrase stands for: `kind` "block", "figure", "patch" or "table", with the numbers of those in the scene.
+
+    `each`: what is said is said of each by itself. `bound`: "exactly" or "most" of `ids` and `rest`. `fresh`: they are
+    told of for the first time, as some or other ones. `no`: it is said of none of them. `every`: it is said of
+    "all" of them.
+    """
+
+    kind: str
+    ids: list[int]
+    rest: list[int] = field(default_factory=list)
+    each: bool = False
+    bound: str = ""
+    count: int = 0
+    fresh: bool = False
+    no: bool = False
+    every: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Fact:
+    """A sentence of the goal: `a`, a verb phrase, and what it relates to. Operands are lists of blocks, or figures.
+
+    `stage`: which of several in turn it is of, from 0 on; -1 at the start.
+    """
+
+    a: Ref
+    said: str
+    b: Ref | None = None
+    c: Ref | None = None
+    no: bool = False
+    stage: int = 0
+
+
+@dataclass
+class Scene:
+    """All that is told of, and what was spoken of last.
+
+    `stock`: lots that the text says there are; `whole` is the lot of which some were told apart last, `taken` those.
+    `subject` is what something is being said of, `place` the one of the figure of these blocks that was told last.
+    `pending`: blocks that lie somewhere on others, and it has still to be said on which of them.
+    """
+
+    blocks: list[Block] = field(default_factory=list)
+    figures: list[Figure] = field(default_factory=list)
+    patches: list[Patch] = field(default_factory=list)
+    facts: list[Fact] = field(default_factory=list)
+    stock: list[list[int]] = field(default_factory=list)
+    used: set[int] = field(default_factory=set)
+    whole: list[int] = field(default_factory=list)
+    taken: list[int] = field(default_factory=list)
+    before: list[Ref] = field(default_factory=list)
+    here: list[Ref] = field(default_factory=list)
+    lots: int = 0
+    stage: int = 0
+    subject: tuple[str, list[int]] | None = None
+    place: tuple[list[int], int] | None = None
+    pending: list[tuple[list[int], list[int]]] = field(default_factory=list)
+
+    def new_blocks(self, count: int, color: str = "", label: str = "") -> list[int]:
+        """So many further blocks that look alike."""
+        self.lots += 1
+        first = len(self.blocks)
+        self.blocks += [Block(color, label, self.lots) for _ in range(count)]
+        return list(range(first, first + count))
+
+    def alike(self, ids: list[int]) -> bool:
+        return len({self.blocks[n].look for n in ids}) == 1
+
+    def mention(self, ref: Ref) -> Ref:
+        """Remembers what is spoken of in this clause."""
+        self.here.append(ref)
+        return ref
+
+    def next_clause(self) -> None:
+        if self.here:
+            self.before, self.here = self.here, []
+
+    def figure_of(self, block: int) -> Figure | None:
+        """The figure that a block is a part of."""
+        return next((f for f in self.figures if block in f.blocks), None)
+
+    def settle(self, figure: Figure) -> None:
+        """Puts the blocks in the order of their places, where what was said leaves no other."""
+        rest = [n for n in figure.blocks if n not in figure.placed.values()]
+        if len(rest) > 1 and not self.alike(rest) and not figure.told:
+            raise Unclear
+        if not figure.told or figure.placed:
+            order: list[int | None] = [figure.placed.get(at) for at in range(len(figure.blocks))]
+            left = iter(rest)
+            figure.blocks = [next(left) if n is None else n for n in order]
+        figure.told = True
+        figure.placed = {}

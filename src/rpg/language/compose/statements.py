@@ -1,0 +1,303 @@
+"""What the clauses of a text say of what they speak of."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import pairwise
+
+from rpg.language.compose.nouns import resolve
+from rpg.language.compose.relating import SIDES, bare, between, in_region, on, place, tops_of
+from rpg.language.compose.scene import Fact, Figure, Ref, Scene, Unclear
+from rpg.language.compose.syntax import (
+    Bears,
+    Chain,
+    Clause,
+    Labels,
+    Looks,
+    Made,
+    Noun,
+    Phrase,
+    Place,
+    Predicate,
+    Pronoun,
+)
+
+
+def say(scene: Scene, clause: Clause) -> None:
+    """Puts what a clause says into the scene. Raises Unclear where it does not say it clearly."""
+    scene.next_clause()
+    facts, figures = len(scene.facts), len(scene.figures)
+    _say(scene, clause)
+    if clause.later:
+        scene.stage += 1
+    for n in range(facts, len(scene.facts)):
+        scene.facts[n] = replace(scene.facts[n], stage=-1 if clause.mood == "start" else scene.stage)
+    for figure in scene.figures[figures:]:
+        figure.stage = -1 if clause.mood == "start" else scene.stage
+
+
+def _say(scene: Scene, clause: Clause) -> None:
+    subject = clause.subject
+    if isinstance(subject, Chain):
+        if clause.predicates:
+            raise Unclear
+        _stacked(scene, subject)
+        return
+    if (
+        scene.pending
+        and isinstance(subject, Noun)
+        and subject.count < 2
+        and not subject.det
+        and not subject.color
+        and not subject.ranks
+    ):
+        _one_by_one(scene, subject, clause.predicates)
+        return
+    if _each_of_a_new_one(subject, clause.predicates):
+        _one_for_each(scene, subject, clause.predicates[0])
+        return
+    ref = resolve(scene, subject)
+    if isinstance(subject, Noun) and subject.det in {"a", "another", ""} and ref.kind == "block" and any(
+        isinstance(said, Place) and said.no for said in clause.predicates
+    ) and not subject.of and len([b for b in scene.blocks if b.look == scene.blocks[ref.ids[0]].look]) > 1:  # fmt: skip
+        raise Unclear  # one of them, or none
+    if not clause.mood and clause.predicates and ref.kind == "block" and len(ref.ids) > 1 and scene.figures:
+        raise Unclear  # these may form what was told ahead
+    if clause.aside is not None:
+        _aside(scene, ref, clause.aside)
+    if not clause.predicates:
+        _there_is(scene, ref)
+    scene.subject = (ref.kind, ref.ids)
+    for said in clause.predicates:
+        _said(scene, ref, said)
+    scene.subject = None
+    if clause.predicates and ref.kind == "block":
+        scene.used.update(ref.ids)
+
+
+def _aside(scene: Scene, ref: Ref, clause: Clause) -> None:
+    """ "the third, with the white block on top,": on what is spoken of."""
+    place = clause.predicates[0]
+    if not isinstance(place, Place) or len(ref.ids) != 1:
+        raise Unclear
+    other = resolve(scene, clause.subject)
+    if ref.kind == "figure":
+        bare(scene, other, place)
+    elif place.relation == "top" and ref.kind == "block":
+        on(scene, other, ref, "on", no=False)
+    else:
+        raise Unclear
+
+
+def _there_is(scene: Scene, ref: Ref) -> None:
+    """Blocks that are told of by themselves are those that the rest of the text is about."""
+    if not ref.fresh or ref.kind not in {"block", "figure"}:
+        raise Unclear
+    if ref.kind == "block":
+        if any(
+            scene.blocks[n].look == block.look
+            for n in ref.ids
+            for m, block in enumerate(scene.blocks)
+            if m not in ref.ids
+        ):
+            raise Unclear  # these, or further ones
+        lots: dict[tuple[str, str, int], list[int]] = {}
+        for n in ref.ids:
+            lots.setdefault(scene.blocks[n].look, []).append(n)
+        for lot in lots.values():
+            scene.stock.append(lot)
+        if len(lots) == 1:
+            scene.whole, scene.taken = list(ref.ids), []
+
+
+def _stacked(scene: Scene, chain: Chain) -> None:
+    """ "blue over red": each on the next one."""
+    lowest = chain.parts[-1]
+    if scene.patches and isinstance(lowest, Noun) and not lowest.noun:
+        raise Unclear  # a block or a patch of that colour
+    refs = [resolve(scene, part) for part in chain.parts]
+    if any(ref.kind != "block" or len(ref.ids) != 1 for ref in refs):
+        raise Unclear
+    for upper, lower in pairwise(refs):
+        on(scene, upper, lower, "on", no=False)
+    if len(refs) == 2:
+        figure = Figure("tower", [refs[1].ids[0], refs[0].ids[0]], told=True)
+        if not any(set(figure.blocks) & set(f.blocks) for f in scene.figures):
+            figure.kind = "chain"
+    for ref in refs:
+        scene.used.update(ref.ids)
+
+
+def _one_by_one(scene: Scene, subject: Noun, said: Sequence[Predicate]) -> None:
+    """ "one on each end": where those are that lie somewhere on the figure told before."""
+    upper, lower = scene.pending.pop()
+    if (
+        subject.noun not in {"", "one", "block"}
+        or len(said) != 1
+        or not isinstance(said[0], Place)
+        or said[0].of is None
+    ):
+        raise Unclear
+    target = resolve(scene, said[0].of)
+    if (
+        said[0].relation != "on"
+        or said[0].no
+        or target.kind != "block"
+        or not target.each
+        or not set(target.ids) <= set(lower)
+    ):
+        raise Unclear
+    on(scene, Ref("block", upper), Ref("block", target.ids), "on", no=False)
+
+
+def _each_of_a_new_one(subject: Phrase, said: Sequence[Predicate]) -> bool:
+    """Whether there is a further one for each of those that it is put on."""
+    if len(said) != 1 or not isinstance(said[0], Place) or said[0].no:
+        return False
+    target = said[0].of
+    return (
+        isinstance(subject, Noun) and subject.det in {"a", "another"} and not subject.many and subject.count < 2
+        and isinstance(target, Noun) and target.det in {"each", "both", "all"}
+    )  # fmt: skip
+
+
+def _one_for_each(scene: Scene, subject: Phrase, said: Predicate) -> None:
+    """ "a white block on each end": as many white blocks as there are ends."""
+    assert isinstance(said, Place) and said.of is not None and isinstance(subject, Noun)
+    target = resolve(scene, said.of)
+    if said.relation not in {"on", "next", *SIDES} or target.no or target.bound or _on_an_end(said):
+        raise Unclear
+    for n in target.ids:
+        one = resolve(scene, replace(subject, det="a"))
+        if not one.fresh:
+            raise Unclear
+        place(scene, one, Ref(target.kind, [n]), said)
+        scene.used.update(one.ids)
+
+
+def _on_an_end(said: Place) -> bool:
+    """Whether "on" may be on top of an end, or at the end."""
+    of = said.of
+    while isinstance(of, Noun) and of.noun != "end":
+        of = of.of
+    return said.relation == "on" and isinstance(of, Noun) and said.how not in {"top", "directly"}
+
+
+def _said(scene: Scene, ref: Ref, said: Predicate) -> None:
+    if isinstance(said, Place) and said.no and (ref.each or ref.no or ref.every):
+        raise Unclear
+    if isinstance(said, Place) and isinstance(said.of, Noun):
+        if said.no and said.of.det in {"each", "all", "both", "a", "another", "any"}:
+            raise Unclear
+        if _on_an_end(said):
+            raise Unclear
+        if said.relation == "on" and not said.of.noun and scene.patches:
+            raise Unclear  # a block or a patch of that colour
+        if (
+            said.relation == "on"
+            and not said.of.noun
+            and any(scene.blocks[n].label for n in ref.ids if ref.kind == "block")
+        ):
+            raise Unclear  # a block, or the colour of the block with the symbol
+    if ref.no:
+        if not isinstance(said, Place) or said.of is None:
+            raise Unclear
+        said, ref = replace(said, no=not said.no), replace(ref, no=False)
+    if isinstance(said, Made):
+        _forms(scene, ref, said.figure)
+    elif isinstance(said, Looks):
+        _looks(scene, ref, said.like)
+    elif isinstance(said, Bears):
+        _bears(scene, ref, said)
+    elif said.relation == "region":
+        in_region(scene, ref, said)
+    elif said.of is None:
+        bare(scene, ref, said)
+    else:
+        of = said.of
+        if said.relation == "between":
+            between(scene, ref, of, said)
+            return
+        if isinstance(of, Noun) and of.det == "another":
+            raise Unclear
+        target = resolve(scene, of)
+        if target.fresh and target.kind == "block" and (ref.each or len(ref.ids) > len(target.ids)):
+            raise Unclear  # one for each, or one for all
+        place(scene, ref, target, said)
+
+
+def _forms(scene: Scene, ref: Ref, phrase: Phrase) -> None:
+    """These blocks form a figure."""
+    if ref.kind == "figure" and isinstance(phrase, Noun) and phrase.noun in {"row", "line"} and len(ref.ids) > 1:
+        _in_line(scene, ref, phrase)
+        return
+    if ref.kind != "block" or not isinstance(phrase, Noun) or phrase.content is not None or ref.each or ref.bound:
+        raise Unclear
+    if phrase.count > 1 or phrase.det not in {"a", ""} or phrase.color:
+        raise Unclear
+    in_order = phrase.ranks == ("left",)
+    if in_order and len({scene.blocks[n].look for n in ref.ids}) < len(ref.ids):
+        raise Unclear
+    made = replace(phrase, det="a", ranks=(), content=Pronoun("them"))
+    here, scene.here = scene.here, [Ref("block", ref.ids)]
+    subject, scene.subject = scene.subject, None
+    figure = scene.figures[resolve(scene, made).ids[0]]
+    scene.here, scene.subject = [*here, *scene.here[1:]], subject
+    if in_order:
+        figure.told = figure.sided = True
+
+
+def _in_line(scene: Scene, ref: Ref, phrase: Noun) -> None:
+    """Towers that stand in a row: their lowest blocks do; told from left to right, each is left of the next one."""
+    figures = [scene.figures[n] for n in ref.ids]
+    if (
+        any(f.kind != "tower" for f in figures)
+        or phrase.content is not None
+        or phrase.det not in {"a", ""}
+        or phrase.color
+    ):
+        raise Unclear
+    for figure in figures:
+        scene.settle(figure)
+    scene.facts.append(Fact(Ref("block", [f.blocks[0] for f in figures]), "in a row"))
+    if phrase.ranks == ("left",):
+        scene.facts += [Fact(Ref("figure", [a]), "to the left of", Ref("figure", [b])) for a, b in pairwise(ref.ids)]
+
+
+def _looks(scene: Scene, ref: Ref, like: Phrase) -> None:
+    """These blocks are of a colour: blocks of which nothing was said of how they look."""
+    if not isinstance(like, Noun) or not like.color or like.noun not in {"", "block", "one"} or like.count > 1:
+        raise Unclear
+    if ref.kind == "figure":
+        ref = Ref("block", [n for at in ref.ids for n in scene.figures[at].blocks])
+    if ref.kind != "block" or ref.bound:
+        raise Unclear
+    for n in ref.ids:
+        block = scene.blocks[n]
+        if block.label or block.color not in {"", like.color}:
+            raise Unclear
+        block.color = like.color
+
+
+def _bears(scene: Scene, ref: Ref, said: Bears) -> None:
+    """Something lies on it, or nothing does."""
+    if isinstance(said.what, Labels):
+        raise Unclear  # it may be the symbol on it
+    if said.what is None:
+        for n in tops_of(scene, ref):
+            scene.facts.append(Fact(Ref("block", [n]), "clear"))
+        return
+    if said.place is not None and said.place.relation != "top":
+        if said.place.of is None:
+            raise Unclear
+        what = resolve(scene, said.what)
+        place(scene, what, resolve(scene, said.place.of), said.place)
+        return
+    tops = tops_of(scene, ref)
+    if isinstance(said.what, Noun) and said.what.det in {"a", "each"} and len(tops) > 1:
+        for n in tops:
+            one = resolve(scene, replace(said.what, det="a"))
+            on(scene, one, Ref("block", [n]), "on", no=False)
+        return
+    on(scene, resolve(scene, said.what), Ref("block", tops), "on", no=False)

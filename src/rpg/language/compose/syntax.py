@@ -1,0 +1,127 @@
+"""What the compositional reader makes of words: noun phrases, places, clauses. Plain data; `meaning` interprets it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Noun:
+    """A noun phrase.
+
+    `det`: "a", "the", "each", "all", "both", "no", "other", "another", "any", or "" for none. `bound`: "exactly",
+    "least" or "most", of `count`. `noun`: "block", "patch", "table", a figure, a part, or "" where it is left out.
+    `of`: the whole that it is a part of, or those that it is some of. `content`: what it is made of, told with the word
+    `made`. `but`: those that are left out.
+    """
+
+    det: str = ""
+    count: int = 0
+    bound: str = ""
+    color: str = ""
+    ranks: tuple[str, ...] = ()
+    nth: int = 0
+    noun: str = ""
+    many: bool = False
+    size: tuple[int, ...] = ()
+    word: str = ""
+    of: Phrase | None = None
+    content: Phrase | None = None
+    made: str = ""
+    but: Phrase | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Labels:
+    """Blocks by the symbols on them."""
+
+    labels: tuple[str, ...]
+    color: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Pronoun:
+    """ "it", "they", "them", "both"."""
+
+    word: str
+
+
+@dataclass(frozen=True, slots=True)
+class Both:
+    """Several phrases joined by "and"; `either`: by "or"."""
+
+    parts: tuple[Phrase, ...]
+    either: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Chain:
+    """ "blue over red": from top to bottom."""
+
+    parts: tuple[Phrase, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Listing:
+    """What each of several figures is made of."""
+
+    parts: tuple[Phrase, ...]
+
+
+Phrase = Listing | Noun | Labels | Pronoun | Both | Chain
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """A relation to something.
+
+    `how`: "directly", "immediately", "somewhere" or nothing; `cm` with `bound`: a distance; `no`: it is denied.
+    """
+
+    relation: str
+    of: Phrase | None = None
+    how: str = ""
+    cm: float = 0.0
+    bound: str = ""
+    no: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Made:
+    """What is formed: "form a tower"."""
+
+    figure: Phrase
+
+
+@dataclass(frozen=True, slots=True)
+class Looks:
+    """What looks so: "is red", "is B"."""
+
+    like: Phrase
+
+
+@dataclass(frozen=True, slots=True)
+class Bears:
+    """What lies on it: "carries a red block"; nothing for "stays free"."""
+
+    what: Phrase | None
+    place: Place | None = None
+
+
+Predicate = Place | Made | Looks | Bears
+
+
+@dataclass(frozen=True, slots=True)
+class Clause:
+    """What is said of something; no predicate: there is such a thing, or it is to be built.
+
+    `mood`: "put" and "build" are commands, "so" says that it is so, "must" that it has to be, "there" what there is,
+    "start" what is so then. `aside`: what is told between the subject and its verb. `first`, `later`: "first", "then".
+    """
+
+    subject: Phrase
+    predicates: tuple[Predicate, ...] = ()
+    mood: str = ""
+    aside: Clause | None = None
+    first: bool = False
+    later: bool = False

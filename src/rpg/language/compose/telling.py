@@ -1,0 +1,207 @@
+"""A scene told in plain sentences, which the grammar reads and everything behind it checks."""
+
+from __future__ import annotations
+
+from rpg.language import lexicon
+from rpg.language.compose.places_of import columns
+from rpg.language.compose.scene import Block, Fact, Figure, Ref, Scene, Unclear
+
+_MANY = {n: word for n, word in lexicon.NUMBERS.items() if n <= 20}
+_PALETTE = (*lexicon.RAINBOW, "brown", "black", "gray", "white")
+_WORDS = {
+    "clear": "clear", "table": "on the table", "patch": "on", "touch": "touch", "apart": "apart",
+}  # fmt: skip
+_MOST = 30
+
+
+def tell(scene: Scene) -> str:
+    """All that a scene has, block by block, figure by figure, fact by fact."""
+    if scene.pending:
+        raise Unclear
+    if not scene.blocks or len(scene.blocks) > _MOST or not (scene.facts or scene.figures):
+        raise Unclear
+    _color_in(scene)
+    _check_told_of(scene)
+    figures = [figure for figure in scene.figures if not figure.implied]
+    last = max((*(figure.stage for figure in figures), *(fact.stage for fact in scene.facts)), default=0)
+    told = {stage: _of_stage(scene, figures, stage) for stage in range(-1, last + 1)}
+    said = [_assets(scene), *(f"At the start, {_small(sentence)}" for sentence in told[-1])]
+    if last > 0:
+        if not all(told[stage] for stage in range(last + 1)):
+            raise Unclear
+        parts = [" and ".join(_small(sentence).rstrip(".") for sentence in told[stage]) for stage in range(last + 1)]
+        said += [f"{'Then' if n else 'First'}, {part}." for n, part in enumerate(parts)]
+    else:
+        said += told[0]
+    return " ".join(dict.fromkeys(said))
+
+
+def _of_stage(scene: Scene, figures: list[Figure], stage: int) -> list[str]:
+    said = [_figure(scene, figure) for figure in figures if figure.stage == stage]
+    return [*said, *(_fact(scene, fact) for fact in scene.facts if fact.stage == stage)]
+
+
+def _small(sentence: str) -> str:
+    """A sentence that goes on behind something."""
+    return sentence if sentence[1:2] == " " else f"{sentence[0].lower()}{sentence[1:]}"
+
+
+def _color_in(scene: Scene) -> None:
+    """Gives blocks of no told look a colour that no other has: all of them one, so that any may stand for another."""
+    free = next((c for c in _PALETTE if c not in {block.color for block in scene.blocks}), "")
+    for block in scene.blocks:
+        if not block.color and not block.label:
+            if not free:
+                raise Unclear
+            block.color = free
+    patches = [patch.color for patch in scene.patches]
+    for patch in scene.patches:
+        patch.color = patch.color or next(c for c in ("gray", *_PALETTE) if c not in patches)
+
+
+def _check_told_of(scene: Scene) -> None:
+    """Of every block something has to be said, unless it is one of a lot of which something is."""
+    told = {n for figure in scene.figures for n in figure.blocks}
+    for fact in scene.facts:
+        for ref in (fact.a, fact.b, fact.c):
+            if ref is not None and ref.kind == "block":
+                told.update(ref.ids)
+    looks = {scene.blocks[n].look for n in told}
+    if any(block.look not in looks for block in scene.blocks):
+        raise Unclear
+
+
+def _look(block: Block) -> str:
+    if block.label:
+        return f"{block.color} {block.label}".strip() if block.color else block.label
+    return block.color
+
+
+def _assets(scene: Scene) -> str:
+    lots: dict[str, int] = {}
+    for block in scene.blocks:
+        lots[_look(block)] = lots.get(_look(block), 0) + 1
+    said = [
+        f"{_article(look)} {look} block" if many == 1 else f"{_MANY[many]} {look} blocks" for look, many in lots.items()
+    ]
+    patches = [f"There is {_article(patch.color)} {patch.color} patch." for patch in scene.patches]
+    return " ".join([f"There {'are' if len(scene.blocks) > 1 else 'is'} {_listed(said)}.", *patches])
+
+
+def _article(look: str) -> str:
+    return "an" if look[0] in "aeiouAEFHILMNORSX8" and not look.startswith("u") else "a"
+
+
+def _listed(parts: list[str]) -> str:
+    return parts[0] if len(parts) == 1 else f"{', '.join(parts[:-1])} and {parts[-1]}"
+
+
+def _name(scene: Scene, n: int) -> str:
+    block = scene.blocks[n]
+    same = [m for m, other in enumerate(scene.blocks) if _look(other) == _look(block)]
+    if len(same) == 1:
+        return f"the {_look(block)} block"
+    number = same.index(n) + 1
+    return f"{block.label} block number {number}" if block.label else f"{block.color} block {number}"
+
+
+def _names(scene: Scene, ids: list[int]) -> str:
+    return _listed([_name(scene, n) for n in ids])
+
+
+def _operand(scene: Scene, ref: Ref) -> str:
+    if ref.kind == "figure":
+        if len(ref.ids) != 1:
+            raise Unclear
+        figure = scene.figures[ref.ids[0]]
+        names = _names(scene, figure.blocks)
+        return f"the tower of {names}" if figure.kind == "tower" else names
+    if ref.kind == "patch":
+        return f"the {scene.patches[ref.ids[0]].color} patch"
+    return _names(scene, ref.ids)
+
+
+def _sentence(text: str) -> str:
+    return f"{text[0].upper()}{text[1:]}."
+
+
+def _fact(scene: Scene, fact: Fact) -> str:
+    must = "must not" if fact.no else "must"
+    a = _operand(scene, fact.a)
+    if fact.said == "clear":
+        if fact.no:
+            raise Unclear
+        return _sentence(f"nothing must be on {a}")
+    if fact.said == "table":
+        return _sentence(f"{a} {must} be on the table")
+    if fact.said == "in a row" or (fact.b is None and fact.said.endswith("of the table")):
+        return _sentence(f"{a} must be {fact.said}")
+    if fact.said == "empty":
+        return _sentence(f"{a} must be empty")
+    assert fact.b is not None
+    b = _operand(scene, fact.b)
+    if fact.said == "touch":
+        return _sentence(f"{a} {must} touch {b}")
+    if fact.said == "apart":
+        return _sentence(f"{a} {must} be apart from {b}")
+    if fact.said == "between":
+        assert fact.c is not None
+        return _sentence(f"{a} {must} be between {b} and {_operand(scene, fact.c)}")
+    return _sentence(f"{a} {must} be {'on' if fact.said == 'patch' else fact.said} {b}")
+
+
+def _figure(scene: Scene, figure: Figure) -> str:
+    """The sentence that says what blocks form."""
+    if figure.placed:
+        scene.settle(figure)
+    names, many = _names(scene, figure.blocks), len(figure.blocks)
+    order = f" in the order {', '.join(_name(scene, n) for n in figure.blocks)}"
+    if figure.kind == "tower":
+        told = f" from bottom to top{order}" if figure.told else ""
+        return _sentence(f"{names} must {_tower(scene, figure, many)}{told}")
+    if figure.kind == "row":
+        side = (
+            (f" from left to right{order}" if figure.sided else f"{order} in either direction") if figure.told else ""
+        )
+        return _sentence(f"{names} must be in a row{side}")
+    if figure.kind == "line" and not figure.told:
+        return _sentence(f"{names} must be in a line")
+    if figure.kind == "column":
+        return _sentence(
+            f"{names} must be in a column on the table{f' from front to back{order}' if figure.told else ''}"
+        )
+    if figure.kind == "word":
+        return _sentence(f"{names} must spell the word {figure.word}")
+    if figure.kind == "plus" and many == 5:
+        return _sentence(f"{names} must form a plus sign{order if figure.told else ''}")
+    if figure.kind in {"grid", "wall"}:
+        wide = columns(figure)
+        tall = many // wide
+        if figure.kind == "wall":
+            told = f" from top to bottom{order}" if figure.told else ""
+            return _sentence(f"{names} must form a wall {_MANY[wide]} blocks wide and {_MANY[tall]} blocks high{told}")
+        told = f" row by row{order}" if figure.told else ""
+        return _sentence(f"{names} must form a grid of {_MANY[tall]} rows and {_MANY[wide]} columns{told}")
+    if figure.kind == "pyramid":
+        base = next((n for n in range(2, 7) if n * (n + 1) // 2 == many), 0)
+        if base:
+            told = f" from top to bottom{order}" if figure.told else ""
+            return _sentence(f"{names} must form a pyramid with a base of {_MANY[base]} blocks{told}")
+    if figure.kind == "group" and not figure.told:
+        return _sentence(f"{names} must be in one group")
+    if figure.kind in {"circle", "triangle", "square"} and not figure.told:
+        of = {"circle": "a circle", "triangle": "the outline of a triangle", "square": "the outline of a square"}
+        return _sentence(f"{names} must form {of[figure.kind]}")
+    raise Unclear
+
+
+def _tower(scene: Scene, figure: Figure, many: int) -> str:
+    """A tower of exactly so many, unless something else lies on it or it stands on a block."""
+    own = set(figure.blocks)
+    for fact in scene.facts:
+        if fact.said in {"on", "somewhere above"} and fact.b is not None and not fact.no:
+            if set(fact.b.ids) & own and not set(fact.a.ids) & own:
+                return "be stacked"
+            if set(fact.a.ids) & own and not set(fact.b.ids) & own:
+                return "be stacked"
+    return f"form a tower of exactly {_MANY[many]}"

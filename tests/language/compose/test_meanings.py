@@ -27,15 +27,17 @@ def told(text: str) -> list[str]:
         ),
         (
             "Place exactly one of the three purple blocks on the gray patch; the remaining two form a stack.",
-            "Purple block 2 and purple block 3 must form a tower of exactly two Purple block 1 must be on the gray patch "
-            "Purple block 2 must not be on the gray patch Purple block 3 must not be on the gray patch.",
+            "Purple block 2 and purple block 3 must form a tower of exactly two "
+            "Purple block 1 must be on the gray patch Purple block 2 must not be on the gray patch "
+            "Purple block 3 must not be on the gray patch.",
         ),
         (
             "Build a two-block tower, blue over red, and a second one, green over yellow; "
             "the former must stand left of the latter.",
             "The red block and the blue block must form a tower of exactly two from bottom to top in the order the red "
-            "block, the blue block The yellow block and the green block must form a tower of exactly two from bottom to "
-            "top in the order the yellow block, the green block The tower of the red block and the blue block must be "
+            "block, the blue block The yellow block and the green block must form a tower of exactly two from "
+            "bottom to top in the order the yellow block, the green block The tower of the red block and the "
+            "blue block must be "
             "to the left of the tower of the yellow block and the green block.",
         ),
         (
@@ -51,8 +53,9 @@ def told(text: str) -> list[str]:
         ),
         (
             "At the start, a red tower of three is on the blue patch. Move its top block onto the gray patch.",
-            "At the start, red block 1, red block 2 and red block 3 must form a tower of exactly three from bottom to top "
-            "in the order red block 1, red block 2, red block 3 At the start, red block 1, red block 2 and red block 3 "
+            "At the start, red block 1, red block 2 and red block 3 must form a tower of exactly three from "
+            "bottom to top in the order red block 1, red block 2, red block 3 At the start, red block 1, red "
+            "block 2 and red block 3 "
             "must be on the blue patch Red block 3 must be on the gray patch.",
         ),
         (

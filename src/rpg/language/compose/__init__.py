@@ -18,7 +18,7 @@ from rpg.language.compose.clauses import Reader
 from rpg.language.compose.items import FIGURE, items_of
 from rpg.language.compose.scene import Scene, Unclear
 from rpg.language.compose.statements import say
-from rpg.language.compose.syntax import Chain, Clause, Noun, Phrase, Place, Predicate, Pronoun
+from rpg.language.compose.syntax import Chain, Clause, Made, Noun, Phrase, Place, Predicate, Pronoun
 from rpg.language.compose.telling import tell
 from rpg.language.tokens import Token, tokenize
 
@@ -57,11 +57,15 @@ def _check_in_time(way: Sequence[Clause]) -> None:
     """What is told to be so, or to be there, beside what is to be done may be so at the start alone."""
     if any(clause.first for clause in way) and not any(clause.later for clause in way):
         raise Unclear
-    asks = [n for n, clause in enumerate(way) if clause.mood == "put" or clause.later]
+    asks = [n for n, clause in enumerate(way) if clause.mood == "put" or clause.later or _builds_of(clause)]
     for n, clause in enumerate(way):
         ahead = bool(asks) and n < asks[-1]
         told = bool(clause.predicates) or isinstance(clause.subject, Chain)
+        if clause.mood == "there" and any(_of_table(said) for said in clause.predicates):
+            raise Unclear
         if clause.mood == "there" and len(way) > 1 and (told or (ahead and _is_figure(clause.subject))):
+            raise Unclear
+        if asks and clause.mood == "so" and isinstance(clause.subject, Noun) and clause.subject.det == "a":
             raise Unclear
         if ahead and told and clause.mood in {"so", ""}:
             raise Unclear
@@ -78,6 +82,11 @@ def _check_in_time(way: Sequence[Clause]) -> None:
             place = behind.predicates[0]
             if isinstance(place, Place) and place.of is not None and not isinstance(place.of, Pronoun):
                 raise Unclear  # of both, or of the last one
+
+
+def _builds_of(clause: Clause) -> bool:
+    """Whether something is built of what was told ahead."""
+    return clause.mood == "build" and any(isinstance(said, Made) for said in clause.predicates)
 
 
 def _is_denied(said: Predicate) -> bool:

@@ -19,56 +19,15 @@ _LEADS = (
     "make sure", "see to it that", "make it so that", "need", "at the end", "in the end",
     "i have got", "you have got", "got", "have", "u got", "here is", "here are", "take", "use", "we got",
 )  # fmt: skip
-_BUILD = frozenset(
-    [
-        "build",
-        "make",
-        "construct",
-        "create",
-        "form",
-        "assemble",
-        "lay",
-        "arrange",
-        "set",
-        "erect",
-        "produce",
-        "prepare",
-        "put",
-        "stack",
-        "stand",
-        "place",
-        "raise",
-        "draw",
-        "compose",
-    ]
-)
+_BUILD = frozenset({
+    "build", "make", "construct", "create", "form", "assemble", "lay", "arrange", "set", "erect", "produce",
+    "prepare", "put", "stack", "stand", "place", "raise", "draw", "compose",
+})  # fmt: skip
 _BUILD_ME = ("me", "up", "out", "down", "together")
-_PUT = frozenset(
-    [
-        "put",
-        "place",
-        "set",
-        "move",
-        "lay",
-        "stand",
-        "bring",
-        "position",
-        "leave",
-        "keep",
-        "add",
-        "stack",
-        "get",
-        "drop",
-        "rest",
-        "slide",
-        "push",
-        "shift",
-        "transfer",
-        "pile",
-        "seat",
-        "sit",
-    ]
-)
+_PUT = frozenset({
+    "put", "place", "set", "move", "lay", "stand", "bring", "position", "add", "stack", "get", "drop", "rest",
+    "slide", "push", "shift", "transfer", "pile", "seat", "sit",
+})  # fmt: skip
 _LINED = (
     "lined up", "lined up from left to right", "lined up left to right", "in a row from left to right",
     "in a line from left to right", "from left to right", "left to right",
@@ -95,28 +54,10 @@ _BE = (
     "belong", "stays", "stay", "remains", "remain", "ends up", "end up", "comes", "come", "gets", "get", "standing",
     "sitting", "lying", "resting", "being", "lands", "land", "ends", "end",
 )  # fmt: skip
-_DONE = frozenset(
-    [
-        "placed",
-        "put",
-        "located",
-        "positioned",
-        "set",
-        "laid",
-        "stood",
-        "left",
-        "found",
-        "moved",
-        "kept",
-        "sitting",
-        "standing",
-        "lying",
-        "resting",
-        "seated",
-        "situated",
-        "brought",
-    ]
-)
+_DONE = frozenset({
+    "placed", "put", "located", "positioned", "set", "laid", "stood", "left", "found", "moved", "kept",
+    "sitting", "standing", "lying", "resting", "seated", "situated", "brought",
+})  # fmt: skip
 _FORM = ("form", "forms", "make", "makes", "become", "becomes", "make up", "makes up", "build", "constitute",
          "are arranged in", "are arranged as", "is arranged in", "are arranged into", "be arranged in",
          "be arranged as", "are in", "be in", "stand in", "lie in", "go in", "go into", "are stacked into",
@@ -211,7 +152,7 @@ class Reader(Places):
             for what, end in self.phrase(start):
                 for said, stop in self._predicates(end):
                     if isinstance(said[0], Place):
-                        if verb in _STACK and said[0].relation == "on" and _several(what):
+                        if verb in _STACK and _several(what):
                             said = (Made(_TOWER), *said)
                         found.append((Clause(what, said, "put"), stop))
         if verb in _STACK and not no:
@@ -263,7 +204,7 @@ class Reader(Places):
         for place, end in self.place(at):
             starts = {self.past_any(end, way) for way in _FRONTED} | {end}
             for start in starts - {0}:
-                found += [(Clause(what, (place,), "must"), stop) for what, stop in self.single(start)]
+                found += [(Clause(what, (place,)), stop) for what, stop in self.single(start)]
         return found
 
     def _statement(self, at: int) -> Ways[Clause]:
@@ -286,7 +227,9 @@ class Reader(Places):
 
     def _rest(self, at: int) -> Ways[tuple[Predicate, ...]]:
         """What may be said of a thing that is told of without a verb, or behind a comma."""
-        start = self.past_any(at, ", which") or at
+        start = self.past_any(at, ", which") or (
+            at + 1 if self.past_any(at + 1, *_LINED) and self.text(at) == "," else at
+        )
         looks: Ways[tuple[Predicate, ...]] = []
         if color := COLOR.get(self.text(start)):
             looks.append(((Looks(Noun(color=color)),), start + 1))
@@ -308,6 +251,9 @@ class Reader(Places):
                     found.append(((Made(figure),), end))
         for place, end in self.place(at):
             found.append(((place,), end))
+            for more, stop in self.place(end):
+                if more.of is None and more.relation in {"flat", "side by side", "touching"}:
+                    found.append(((place, more), stop))
             ways = {self.past_any(end, way) for way in ("and", "but", ", but", ", and", ",")} - {0}
             ways -= set() if place.no else {self.past_any(end, "but"), self.past_any(end, ", but")}
             ways -= {self.past_any(end, "and"), self.past_any(end, ", and")} if place.no else set()
@@ -331,7 +277,9 @@ class Reader(Places):
         aux = self.past_any(at, *_AUX) or at
         no = self.past_any(aux, "not") or aux
         denied = no > aux
-        start = no + (self.text(no) in {"both", "all"})
+        start = no + (self.text(no) in {"both", "all"} and not denied)
+        if self.text(at) in {"may", "can"} and not denied:
+            return found
         ends = {end + (self.text(end) in {"both", "all"}) for way in _BE if (end := self.past_any(start, way))}
         for end in sorted(ends | {end + 1 for end in ends if self.text(end) in _DONE}):
             not_there = self.past_any(end, "not") or end
@@ -345,7 +293,8 @@ class Reader(Places):
                 if isinstance(figure, Noun) and figure.noun in FIGURE.values() and not denied:
                     found.append(((Made(figure),), stop))
                     that = self.past_any(stop, "that", "which") or stop
-                    found += [((Made(figure), *more), last) for more, last in self._rest(that)]
+                    found += [((Made(figure), *more), last) for more, last in self._verbs(that)]
+                    found += [((Made(figure), *more), last) for more, last in self._predicates(stop)]
         for end in {self.past_any(start, way) for way in _BEAR} - {0}:
             if nothing := self.past_any(end, "nothing on top", "nothing on it", "nothing"):
                 found.append(((Bears(None),), nothing))

@@ -142,7 +142,7 @@ def _made(scene: Scene, noun: Noun, kind: str, resolve: Resolve) -> int:
     if isinstance(content, Chain):
         figure.blocks = [_one(scene, of, resolve) for of in reversed(content.parts)]
         figure.told = True
-        if kind != "tower" or len(set(figure.blocks)) < len(figure.blocks):
+        if kind != "tower" or noun.made == "from" or len(set(figure.blocks)) < len(figure.blocks):
             raise Unclear
     elif content is not None:
         if isinstance(content, Noun) and content.many and not content.count and content.det == "" and size:
@@ -211,7 +211,7 @@ def part(scene: Scene, noun: Noun, resolve: Resolve) -> Ref:
                 raise Unclear
         scene.settle(figure)
         scene.place = (figure.blocks, at[0]) if len(at) == 1 else None
-        figure.sided |= bool(_SIDES & set(said)) and figure.kind == "row"
+        figure.sided |= bool(_SIDES & set(said)) and figure.kind in {"row", "line"}
         ids += [figure.blocks[n] for n in at]
     if noun.color and any(scene.blocks[n].color != noun.color for n in ids):
         raise Unclear

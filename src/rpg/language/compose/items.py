@@ -21,7 +21,9 @@ FIGURE = {word: kind for kind, words in _FIGURES.items() for word in words.split
 PART = {word: kind for kind, words in _PARTS.items() for word in words.split()}
 COLOR = {word: color for color, words in lexicon.COLORS.items() for word in words.split()}
 BLOCK = frozenset(f"{lexicon.BLOCK_NOUNS} object piece item".split())
-PATCH = frozenset(["patch", "mat", "zone", "pad", "target", "spot", "area", "square_patch", "marker", "goal"])
+PATCH = frozenset({
+    "patch", "mat", "zone", "pad", "target", "spot", "area", "square_patch", "marker", "goal",
+})  # fmt: skip
 TABLE = frozenset(lexicon.TABLE_NOUNS.split())
 SYMBOL = {"letter": "letter", "digit": "digit", "number": "digit", "numeral": "digit"}
 ORDINAL = {word: n for n, words in lexicon.ORDINALS.items() for word in words.split()}
@@ -36,25 +38,13 @@ RANK = {
     "smaller": "short", "smallest": "short", "little": "short", "last": "last", "corner": "corner", "end": "end",
     "former": "former", "latter": "latter",
 }  # fmt: skip
-IDLE = frozenset(
-    [
-        "please",
-        "kindly",
-        "simply",
-        "also",
-        "itself",
-        "themselves",
-        "thanks",
-        "thx",
-        "ok",
-        "okay",
-        "well",
-        "actually",
-        "precisely",
-        "pls",
-    ]
-)
-_PLAIN = frozenset(["single", "lone", "plain", "simple", "own", "whole", "entire", "individual", "separate"])
+IDLE = frozenset({
+    "please", "kindly", "simply", "also", "itself", "themselves", "thanks", "thx", "ok", "okay", "well",
+    "actually", "precisely", "pls",
+})  # fmt: skip
+_PLAIN = frozenset({
+    "single", "lone", "plain", "simple", "own", "whole", "entire", "individual", "separate",
+})  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)

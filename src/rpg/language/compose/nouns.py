@@ -40,6 +40,8 @@ def _labelled(scene: Scene, label: str, color: str) -> int:
     found = [n for n, block in enumerate(scene.blocks) if block.label == label]
     if len(found) > 1:
         raise Unclear
+    if not found and any(not block.color and not block.label for block in scene.blocks):
+        raise Unclear  # it may be one of those of which nothing is said
     return found[0] if found else scene.new_blocks(1, color, label)[0]
 
 
@@ -110,6 +112,8 @@ def _last(scene: Scene) -> Ref:
 
 
 def _noun(scene: Scene, noun: Noun) -> Ref:
+    if noun.noun not in _FIGURES | {"one"} and (noun.content is not None or noun.size or noun.word):
+        raise Unclear
     if noun.det == "other" and noun.noun not in _PARTS:
         return _others(scene, noun)
     of_figure = noun.noun in _PARTS or noun.ranks or noun.nth
@@ -121,6 +125,11 @@ def _noun(scene: Scene, noun: Noun) -> Ref:
         return part(scene, noun, resolve)
     if noun.noun == "one" and noun.det in {"a", "another"} and not noun.color and scene.figures:
         return figures_of(scene, noun, resolve)
+    if noun.noun == "one" and noun.color and noun.det == "the" and not noun.ranks:
+        own = [n for n, f in enumerate(scene.figures) if {scene.blocks[b].color for b in f.blocks} == {noun.color}]
+        like = [n for n, block in enumerate(scene.blocks) if block.color == noun.color]
+        if len(own) == 1 and len(like) == len(scene.figures[own[0]].blocks):
+            return Ref("figure", own)
     if noun.noun == "table":
         return Ref("table", [])
     if noun.noun == "patch":
@@ -167,6 +176,8 @@ def _others(scene: Scene, noun: Noun) -> Ref:
     if noun.noun == "patch":
         raise Unclear
     left = [n for n in scene.whole if n not in scene.taken]
+    if noun.ranks or noun.nth or noun.content is not None:
+        raise Unclear
     if not scene.taken or not left or (noun.count and noun.count != len(left)):
         raise Unclear
     if not noun.many and not noun.count and len(left) > 1:
@@ -179,6 +190,8 @@ def _others(scene: Scene, noun: Noun) -> Ref:
 def _some_of(scene: Scene, noun: Noun) -> Ref:
     """So many of a lot: any of those that look alike, of which nothing was said yet."""
     here = list(scene.here)
+    if noun.color or noun.ranks or noun.nth or noun.content is not None:
+        raise Unclear
     if noun.of is None and not scene.whole:
         raise Unclear
     whole = resolve(scene, noun.of) if noun.of is not None else Ref("block", list(scene.whole))
@@ -197,7 +210,7 @@ def _some_of(scene: Scene, noun: Noun) -> Ref:
     if noun.det == "no":
         return Ref(whole.kind, ids, no=True, each=True)
     count = len(ids) // 2 if noun.det == "half" else len(ids) - noun.count if noun.det == "but" else noun.count
-    if whole.kind != "block" or not count or count > len(ids) or (noun.det == "half" and len(ids) % 2):
+    if whole.kind != "block" or count < 1 or count > len(ids) or (noun.det == "half" and len(ids) % 2):
         raise Unclear
     if not scene.alike(ids) or noun.bound == "most":
         raise Unclear
@@ -234,11 +247,19 @@ def _blocks(scene: Scene, noun: Noun) -> Ref:
     like = [n for n, block in enumerate(scene.blocks) if not noun.color or block.color == noun.color]
     definite = noun.det in {"the", *_ALL} or (not noun.det and not noun.count and bool(noun.color))
     many = noun.many or noun.det in _ALL or noun.count > 1
-    if noun.bound or noun.det in {"any", "no"} or (noun.noun == "one" and not noun.color) or noun.nth or noun.ranks:
+    if (
+        noun.content is not None
+        or noun.size
+        or noun.bound
+        or noun.det in {"any", "no"}
+        or (noun.noun == "one" and not noun.color)
+        or noun.nth
+        or noun.ranks
+    ):
         raise Unclear
     if not like and definite and noun.det and not noun.noun:
         raise Unclear  # "the red" may be a patch
-    if not like and definite and noun.noun == "one" and (scene.figures or not scene.blocks):
+    if not like and definite and noun.noun == "one" and (scene.figures or scene.patches or not scene.blocks):
         raise Unclear  # the red one of what?
     if noun.noun == "one" and not definite and (not scene.here or scene.here[-1].kind != "block"):
         raise Unclear

@@ -15,8 +15,11 @@ _DETS = {
     "another": "another", "any": "any", "this": "the", "that": "the", "these": "the", "those": "the", "my": "the",
     "our": "the", "either": "each", "second": "another", "further": "another",
 }  # fmt: skip
-_MADE_OF = ("of", "from", "made of", "made from", "made out of", "consisting of", "comprising", "containing",
-            "made up of", "built from", "built of", "out of", "with", "in")  # fmt: skip
+_MADE_OF = (
+    "of", "from", "which is made of", "that is made of", "which consists of", "each comprising", "each of",
+    "each made of", "made of", "made from", "made out of", "consisting of", "comprising", "containing", "made up of",
+    "built from", "built of", "out of", "with", "in",
+)  # fmt: skip
 
 
 class Phrases(Text):
@@ -242,7 +245,8 @@ class Phrases(Text):
         if noun.noun in FIGURE.values() and self.text(at) == "in" and (color := COLOR.get(self.text(at + 1))):
             found.append((replace(noun, color=color), at + 2))
         if noun.noun in FIGURE.values() or (noun.noun == "one" and noun.det in {"a", "another"}):
-            for measured, end in [(noun, at), *self._measured(noun, at)]:
+            sizes = self._measured(noun, at) if noun.noun not in {"grid", "square"} else ()
+            for measured, end in [(noun, at), *sizes]:
                 if end != at:
                     found.append((measured, end))
                 made = "of" if self.text(end) in {"of", ",", ":"} else "from"

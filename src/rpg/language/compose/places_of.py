@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rpg.language.compose.scene import Figure, Unclear
 
-_LINES = {"row", "column", "word"}
+_LINES = frozenset({"row", "line", "column", "word"})
 _GRIDS = {"grid", "square", "wall"}
 
 
@@ -23,7 +23,7 @@ def places(figure: Figure, ranks: tuple[str, ...], nth: int = 0, count: int = 0)
         return some
     if figure.kind == "tower":
         return _one_line(many, said, nth, "bottom", "top")
-    if figure.kind == "row" or figure.kind == "word":
+    if figure.kind in _LINES - {"column"}:
         return _one_line(many, said, nth, "left", "right")
     if figure.kind == "column":
         return _one_line(many, said, nth, "near", "far")
@@ -41,7 +41,12 @@ def places(figure: Figure, ranks: tuple[str, ...], nth: int = 0, count: int = 0)
 
 def _several(figure: Figure, said: set[str], count: int) -> list[int]:
     """ "the two upper ones", "the three middle ones"."""
-    ends = {"tower": ("bottom", "top"), "row": ("left", "right"), "word": ("left", "right")}.get(figure.kind)
+    ends = {
+        "tower": ("bottom", "top"),
+        "row": ("left", "right"),
+        "line": ("left", "right"),
+        "word": ("left", "right"),
+    }.get(figure.kind)
     many = len(figure.blocks)
     if ends is None:
         return []

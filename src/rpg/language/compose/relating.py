@@ -42,7 +42,7 @@ def bare(scene: Scene, ref: Ref, said: Place) -> None:
             raise Unclear
         scene.facts += [Fact(Ref("block", [n]), word) for n in ref.ids]
     elif name in {"side by side", "touching", "apart"} and not ref.each and not ref.bound:
-        if ref.rest and said.cm:
+        if ref.rest or len(ref.ids) < 2:
             raise Unclear
         if len(ref.ids) != 2 and (name != "apart" and not said.no):
             raise Unclear
@@ -165,6 +165,8 @@ def on(scene: Scene, ref: Ref, target: Ref, word: str, *, no: bool) -> None:
     if ref.kind == "figure":
         upper = []
         for at in ref.ids:
+            if scene.figures[at].kind != "tower":
+                raise Unclear
             scene.settle(scene.figures[at])
             upper.append(scene.figures[at].blocks[0])
     if ref.kind == "block" and any(f.kind == "word" and set(ref.ids) & set(f.blocks) for f in scene.figures):

@@ -62,15 +62,28 @@ def _say(scene: Scene, clause: Clause) -> None:
         isinstance(said, Place) and said.no for said in clause.predicates
     ) and not subject.of and len([b for b in scene.blocks if b.look == scene.blocks[ref.ids[0]].look]) > 1:  # fmt: skip
         raise Unclear  # one of them, or none
-    if not clause.mood and clause.predicates and ref.kind == "block" and len(ref.ids) > 1 and scene.figures:
+    if (
+        not clause.mood
+        and clause.predicates
+        and ref.kind == "block"
+        and len(ref.ids) > 1
+        and scene.figures
+        and ref.fresh
+    ):
         raise Unclear  # these may form what was told ahead
     if clause.aside is not None:
         _aside(scene, ref, clause.aside)
+    of_part = ref.kind == "block" and isinstance(subject, Noun) and bool(subject.ranks or subject.of)
+    built = [f for f in scene.figures if not f.implied and f.stage == scene.stage]
+    if clause.mood == "put" and of_part and any(set(ref.ids) & set(f.blocks) for f in built):
+        raise Unclear  # what it is taken from is there already
     if not clause.predicates:
         _there_is(scene, ref)
     scene.subject = (ref.kind, ref.ids)
     for said in clause.predicates:
         _said(scene, ref, said)
+        if isinstance(said, Made) and ref.kind == "block" and scene.figures[-1].kind == "tower":
+            ref = Ref("figure", [len(scene.figures) - 1])  # what is said next is said of the tower
     scene.subject = None
     if clause.predicates and ref.kind == "block":
         scene.used.update(ref.ids)
@@ -148,6 +161,7 @@ def _one_by_one(scene: Scene, subject: Noun, said: Sequence[Predicate]) -> None:
         or not set(target.ids) <= set(lower)
     ):
         raise Unclear
+    scene.used -= set(upper)
     on(scene, Ref("block", upper), Ref("block", target.ids), "on", no=False)
 
 

@@ -27,6 +27,7 @@ def tell(scene: Scene) -> str:
     told = {stage: _of_stage(scene, figures, stage) for stage in range(-1, last + 1)}
     said = [_assets(scene), *(f"At the start, {_small(sentence)}" for sentence in told[-1])]
     if last > 0:
+        _check_moved_once(scene)
         if not all(told[stage] for stage in range(last + 1)):
             raise Unclear
         parts = [" and ".join(_small(sentence).rstrip(".") for sentence in told[stage]) for stage in range(last + 1)]
@@ -34,6 +35,16 @@ def tell(scene: Scene) -> str:
     else:
         said += told[0]
     return " ".join(dict.fromkeys(said))
+
+
+def _check_moved_once(scene: Scene) -> None:
+    """What is put somewhere and then elsewhere need not stay where it was: not told so here."""
+    for fact in scene.facts:
+        earlier = [f for f in scene.facts if 0 <= f.stage < fact.stage and f.b is not None]
+        where = {n for f in earlier for ref in ((f.a,) if f.said in {"on", "patch"} else (f.a, f.b)) if ref
+                 for n in ref.ids if ref.kind == "block"}  # fmt: skip
+        if fact.a.kind == "block" and where & set(fact.a.ids):
+            raise Unclear
 
 
 def _of_stage(scene: Scene, figures: list[Figure], stage: int) -> list[str]:
@@ -159,13 +170,11 @@ def _figure(scene: Scene, figure: Figure) -> str:
     if figure.kind == "tower":
         told = f" from bottom to top{order}" if figure.told else ""
         return _sentence(f"{names} must {_tower(scene, figure, many)}{told}")
-    if figure.kind == "row":
+    if figure.kind in {"row", "line"}:
         side = (
             (f" from left to right{order}" if figure.sided else f"{order} in either direction") if figure.told else ""
         )
-        return _sentence(f"{names} must be in a row{side}")
-    if figure.kind == "line" and not figure.told:
-        return _sentence(f"{names} must be in a line")
+        return _sentence(f"{names} must be in a {figure.kind}{side}")
     if figure.kind == "column":
         return _sentence(
             f"{names} must be in a column on the table{f' from front to back{order}' if figure.told else ''}"

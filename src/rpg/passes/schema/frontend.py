@@ -5,7 +5,7 @@ from __future__ import annotations
 import gc
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
-from itertools import islice
+from itertools import chain, islice
 from typing import Protocol
 
 from rpg.core.diagnostics import Diagnostic, Refusal
@@ -237,7 +237,10 @@ class BuiltinFrontEnd:
                     check_behind(typed, found.task)
                     return found.task, found.notes
             again = again and not isinstance(refusal, TwoReadings)  # people are asked which one they mean
-            found_again = self._retold(typed, text, name, seed, author, notes) if again else (None, ())
+            code = refusal.diagnostics[0].code
+            found_again = (
+                self._retold(typed, text, name, seed, author, notes, parsed=code in _PARSED) if again else (None, ())
+            )
             if found_again[0] is not None:
                 return found_again
             raise
@@ -246,12 +249,14 @@ class BuiltinFrontEnd:
         return found.task, found.notes
 
     def _retold(
-        self, words: list[Token], text: str, name: str | None, seed: int, author: str | None, notes: list[str]
-    ) -> Reading:
+        self, words: list[Token], text: str, name: str | None, seed: int, author: str | None, notes: list[str],
+        parsed: bool = False,
+    ) -> Reading:  # fmt: skip
         """The reading of a text that tells of a figure part by part, with a note of how it was understood; no task and
-        no diagnostics if there is none."""
+        no diagnostics if there is none. `parsed`: or of one that is put together in any other way."""
         begun = stands_first(words)
-        for tokens, said in (*retold(without_asides(with_beginnings(words))), *composed(words)):
+        retellings = retold(without_asides(with_beginnings(words)))
+        for tokens, said in chain(retellings, composed(words)) if parsed else retellings:
             if begun and "t the start" not in said:
                 continue
             with suppress(Refusal):
@@ -345,6 +350,8 @@ _SPLICED: tuple[Callable[[list[Token]], list[Token] | None], ...] = (
 """How a text that is not understood is punctuated otherwise."""
 _NOT_UNDERSTOOD = frozenset({"misplaced-word", "incomplete"})
 """Why a text is refused that may be understood with its clauses told apart."""
+_PARSED = frozenset({"misplaced-word", "incomplete", "misplaced", "no-referent"})
+"""Why a text is refused that may be parsed otherwise; whoever is asked which of two is meant is asked."""
 _NOT_KNOWN = frozenset({"unknown-word", "misplaced"})
 """Why a text is refused that may be understood without a clause of it, too."""
 _CANNOT_BOTH_BE = frozenset({"contradiction", "support-cycle", "self-reference"})

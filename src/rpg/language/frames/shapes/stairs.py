@@ -29,6 +29,8 @@ def told(pieces: Sequence[Piece]) -> str:
         Unclear: it is told of more than one, or its steps do not agree.
     """
     pieces = without_brackets(as_adjectives(pieces))
+    if any(piece.kind == "borne" for piece in pieces):
+        raise Unclear  # what is put on a step is no step
     check_listed(pieces)
     check_owned(pieces, ("way", "low", "place", "end"))
     _check_figure(pieces)

@@ -3,9 +3,12 @@ there."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.node import members
+from rpg.ir.structures import Stack
 from rpg.ir.walk import names
 from rpg.language.meaning import Clause, Coord, In, Loc, Meaning, Noun, Pronoun, TableTop
 from rpg.passes.schema.resolve.goals.logic import conj
@@ -64,6 +67,8 @@ def brought_about(goal: g.Goal, scene: Scene) -> g.Goal:
     "Keep red near blue without the two touching": what is denied of blocks whose start nobody told need not be done.
     """
     parts = goal.goals if isinstance(goal, g.All) else (goal,)
+    if (freed := _beside_what_is_built(parts, scene)) is not None:
+        return conj(freed, goal.span)
     kept = [always for always, _ in scene.kept]
     begun = [fact for _, facts in scene.kept for fact in facts]
     told = {name for fact in scene.start_goals if fact not in begun for name in names(fact)}
@@ -73,3 +78,19 @@ def brought_about(goal: g.Goal, scene: Scene) -> g.Goal:
     scene.start_goals = [fact for fact in scene.start_goals if fact not in begun]
     scene.assume("nothing else is to be done: what is to be kept is brought about, and need not be so at the start")
     return conj([part.goal if isinstance(part, g.Always) else part for part in parts], goal.span)
+
+
+def _beside_what_is_built(parts: Sequence[g.Goal], scene: Scene) -> list[g.Goal] | None:
+    """The goals when a block is kept beside a tower that is only built: "stack the red blocks and keep the blue one
+    next to the stack" cannot be so from the start on. None if there is no such."""
+    kept = [always for always, _ in scene.kept]
+    begun = {name for fact in scene.start_goals for name in names(fact) if isinstance(fact, Stack)}
+    built = {name for part in parts if isinstance(part, Stack) for name in part.blocks} - begun
+    themes = {name for part in parts if part in kept and built & {*names(part)} for name in names(part)} - built
+    freed = [part for part in parts if part in kept and themes & {*names(part)}]
+    if not freed:
+        return None
+    gone = [fact for always, facts in scene.kept if always in freed for fact in facts]
+    scene.start_goals = [fact for fact in scene.start_goals if fact not in gone]
+    scene.assume("what is to be kept beside a tower that is only built is to be so at the end")
+    return [part.goal if part in freed and isinstance(part, g.Always) else part for part in parts]

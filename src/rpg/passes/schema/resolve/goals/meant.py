@@ -15,7 +15,7 @@ from rpg.passes.schema.resolve.goals.two_ways import two_ways
 from rpg.passes.schema.resolve.orders.as_listed import both_as_listed
 from rpg.passes.schema.resolve.orders.letter_by_letter import letters_in_place
 from rpg.passes.schema.resolve.orders.order_kept import with_order_kept
-from rpg.passes.schema.resolve.places.bare_table import besides_their_patches, off_their_patches
+from rpg.passes.schema.resolve.places.bare_table import besides_their_patches, off_is_elsewhere, off_their_patches
 from rpg.passes.schema.resolve.structures.rows_apart import no_two_in_one_line
 from rpg.passes.schema.resolve.structures.towers_apart import one_by_one
 from rpg.passes.schema.resolve.things.premises import keep_premises
@@ -27,6 +27,7 @@ def with_what_is_meant(goal: g.Goal, scene: Scene) -> g.Goal:
     and what lasts beside what is done."""
     goal = both_as_listed(with_order_kept(order_left_free(letters_in_place(goal, scene), scene), scene), scene)
     goal = transform(one_by_one(none_of_a_tower(goal), scene), besides_their_patches)
+    goal = off_is_elsewhere(goal)
     goal = brought_about(off_their_patches(keep_premises(goal, scene), scene), scene)
     goal = into_their_tower(beside_what_is_done(goal, scene), scene)
     goal = no_two_in_one_line(still_standing(two_ways(goal), scene))

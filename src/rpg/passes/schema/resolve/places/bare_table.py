@@ -77,6 +77,20 @@ def besides_their_patches(goal: g.Goal) -> g.Goal:
     return conj(kept, goal.span) if len(kept) < len(goal.goals) else goal
 
 
+def off_is_elsewhere(goal: g.Goal) -> g.Goal:
+    """ "Off the mat, anywhere else": what is off the mat has been moved; it need not be moved any farther."""
+    if not isinstance(goal, g.All):
+        return goal
+    denied = [part.goal for part in goal.goals if isinstance(part, g.Not)]
+    off = {name for atom in denied if isinstance(atom, r.OnPatch) for name in members(atom.a)}
+    farther = r.Moved.model_fields["at_least"].default
+    kept = tuple(
+        part for part in goal.goals
+        if not (isinstance(part, r.Moved) and part.at_least == farther and off.issuperset(members(part.a)))
+    )  # fmt: skip
+    return conj(kept, goal.span) if len(kept) < len(goal.goals) else goal
+
+
 def _denies_table(goal: g.Goal) -> bool:
     return isinstance(goal, g.Not) and isinstance(goal.goal, r.OnTable)
 

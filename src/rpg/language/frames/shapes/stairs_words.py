@@ -102,7 +102,7 @@ PATTERNS: list[Pattern] = [
     *BREAKS,
     *GLUE,
     *patterns("borne", None, f"(?:put|place|set|rest|lay|add) (?:a |the |one )?COLOR(?: BLOCK| one)? (?:up)?on(?:to)? "
-        f"(?:top of )?{_THE}(?:{_HIGH}|{_LOW}|middle) {_STEP}"),
+        f"(?:top of )?{_THE}(?:{_LOW}|middle) {_STEP}"),
     *patterns("figure", "staircase",
         "(?:(?:flight|set|row) of )?(?:stairs?|stairways?|staircases?|stair case)(?: (?:shape|shaped|form|"
         "formation|structure|"

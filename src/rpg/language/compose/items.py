@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from rpg.language import lexicon
 from rpg.language.tokens import Token
@@ -55,12 +55,11 @@ class Item:
     raw: str
     many: bool = False
     number: int = 0
-    marks: frozenset[str] = field(default_factory=frozenset)
     value: str = ""
 
 
 def items_of(tokens: Sequence[Token]) -> list[Item] | None:
-    """The words of a text without idle ones; None where one of them is of no class that is known here."""
+    """The words of a text without idle ones; None where an equation, an amount or a numbered list is told, which are read elsewhere."""
     found: list[Item] = []
     for token in tokens:
         word = token.word.strip("'’")

@@ -62,7 +62,6 @@ class Ref:
     rest: list[int] = field(default_factory=list)
     each: bool = False
     bound: str = ""
-    count: int = 0
     fresh: bool = False
     no: bool = False
     every: bool = False

@@ -8,9 +8,6 @@ from rpg.language.compose.scene import Block, Fact, Figure, Ref, Scene, Unclear
 
 _MANY = {n: word for n, word in lexicon.NUMBERS.items() if n <= 20}
 _PALETTE = (*lexicon.RAINBOW, "brown", "black", "gray", "white")
-_WORDS = {
-    "clear": "clear", "table": "on the table", "patch": "on", "touch": "touch", "apart": "apart",
-}  # fmt: skip
 _MOST = 30
 
 

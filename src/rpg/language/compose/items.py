@@ -59,7 +59,7 @@ class Item:
 
 
 def items_of(tokens: Sequence[Token]) -> list[Item] | None:
-    """The words of a text without idle ones; None where an equation, an amount or a numbered list is told, which are read elsewhere."""
+    """The words of a text without idle ones; None where an equation, a fraction or a numbered list is told."""
     found: list[Item] = []
     for token in tokens:
         word = token.word.strip("'’")

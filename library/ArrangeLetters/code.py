@@ -10,7 +10,9 @@ class ArrangeLetters(BlockTask):
     Success: letters_in_row_alphabetically; every block released, supported and at rest.
     """
 
-    instruction = "Arrange the letter blocks A, B, C, D and E in alphabetical order from left to right."
+    instruction = (
+        "Arrange the letter blocks A, B, C, D and E in alphabetical order from left to right."
+    )
     blocks = ("A_block", "B_block", "C_block", "D_block", "E_block")
 
     def _initialize_env(self) -> None:

@@ -11,7 +11,9 @@ class SequentialPlaceOnTarget(BlockTask):
     Success: in_order; every block released, supported and at rest.
     """
 
-    instruction = "First put the blue block on the blue patch, then put the red block on the red patch."
+    instruction = (
+        "First put the blue block on the blue patch, then put the red block on the red patch."
+    )
 
     def _initialize_env(self) -> None:
         self.add(ColoredCube(name="blue_block", color="blue"))

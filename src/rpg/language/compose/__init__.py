@@ -18,7 +18,7 @@ from rpg.language.compose.clauses import Reader
 from rpg.language.compose.items import FIGURE, items_of
 from rpg.language.compose.scene import Scene, Unclear
 from rpg.language.compose.statements import say
-from rpg.language.compose.syntax import Chain, Clause, Made, Noun, Phrase, Place, Predicate, Pronoun
+from rpg.language.compose.syntax import Both, Chain, Clause, Made, Noun, Phrase, Place, Predicate, Pronoun
 from rpg.language.compose.telling import tell
 from rpg.language.tokens import Token, tokenize
 
@@ -102,4 +102,6 @@ def _of_table(said: Predicate) -> bool:
 
 
 def _is_figure(phrase: Phrase) -> bool:
+    if isinstance(phrase, Both):
+        return any(map(_is_figure, phrase.parts))
     return isinstance(phrase, Noun) and phrase.noun in FIGURE.values()

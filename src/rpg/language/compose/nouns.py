@@ -56,6 +56,9 @@ def _both(scene: Scene, phrase: Both) -> Ref:
         isinstance(part, Labels) for part in phrase.parts
     ):
         raise Unclear  # numbers of blocks, or on them
+    nouns = [part for part in phrase.parts if isinstance(part, Noun) and part.noun in {"", "block"}]
+    if any(part.color and not part.noun for part in nouns) and any(part.count and not part.color for part in nouns):
+        raise Unclear  # "red and 3 blocks"
     if len({isinstance(part, Noun) and part.of is not None and bool(part.count) for part in phrase.parts}) > 1:
         raise Unclear  # "one of the red block and the blue block"
     ids = [n for ref in refs for n in ref.ids]

@@ -31,7 +31,8 @@ class Phrases(Text):
         found: Ways[Phrase] = []
         many = at + (self.text(at) == "the")
         if self.text(many) in BLOCK | set(SYMBOL) and self.items[many].many and self.label(many + 1):
-            found += [(both, end) for both, end in self.phrase(many + 1) if _labelled(both)]
+            kind = SYMBOL.get(self.text(many), "")
+            found += [(both, end) for both, end in self.phrase(many + 1) if _labelled(both, kind)]
         for part, end in self.single(at):
             found.append((part, end))
             found += [(Both((part, *rest)), stop) for rest, stop in self._joined(end)]
@@ -109,8 +110,8 @@ class Phrases(Text):
         named = (
             self.past_any(named, "labelled", "labeled", "numbered", "bearing the number", "with the letter") or named
         )
-        if color and said:
-            return  # "the green cube 3" may be counted
+        if said and (color or self.items[start].many):
+            return  # "the green cube 3" may be counted; several are told by `phrase`
         if label := self.label(named):
             yield Labels((label,), color), named + 1
             if not said and self.text(named + 1) in BLOCK and not self.items[named + 1].many:
@@ -374,5 +375,8 @@ BOUNDS = [
 ]  # fmt: skip
 
 
-def _labelled(phrase: Phrase) -> bool:
-    return isinstance(phrase, Both) and all(isinstance(part, Labels) for part in phrase.parts)
+def _labelled(phrase: Phrase, kind: str) -> bool:
+    """Whether blocks are told by their symbols, which are letters or digits where this is said."""
+    labels = [part.labels[0] for part in phrase.parts if isinstance(part, Labels)] if isinstance(phrase, Both) else []
+    fits = not kind or all(label.isdigit() == (kind == "digit") for label in labels)
+    return isinstance(phrase, Both) and len(labels) == len(phrase.parts) and fits

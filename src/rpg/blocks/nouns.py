@@ -16,6 +16,12 @@ def number(count: int) -> str:
     return NUMBERS[count] if count < len(NUMBERS) else str(count)
 
 
+def article(noun: str) -> str:
+    """ "a" or "an"; letters by their names, and an 8."""
+    vowel = noun[0] in "aeio8" or (len(noun.split()[0]) == 1 and noun[0] in "AEFHILMNORSX")
+    return "an" if vowel else "a"
+
+
 def join(parts: list[str], word: str = "and") -> str:
     """ "a", "a and b", "a, b and c"."""
     return parts[0] if len(parts) == 1 else f"{', '.join(parts[:-1])} {word} {parts[-1]}"

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 
-from rpg.blocks.nouns import bare, join, number
+from rpg.blocks.nouns import article, bare, join, number
 from rpg.blocks.state import World
 from rpg.ir.node import Highest, Lowest, Operand, members
 
@@ -203,7 +203,7 @@ def _run(labels: list[str]) -> str:
 
 
 def _some(noun: str, count: int) -> str:
-    return f"{_article(noun)} {noun}" if count == 1 else f"{number(count)} {_plural(noun)}"
+    return f"{article(noun)} {noun}" if count == 1 else f"{number(count)} {_plural(noun)}"
 
 
 def _numbered(noun: str, index: int) -> str:
@@ -216,8 +216,3 @@ def _plural(noun: str) -> str:
     if _LABEL.fullmatch(noun):
         return f'blocks labelled "{noun.removesuffix(" block")}"'
     return noun + ("es" if noun.endswith(("ch", "x")) else "s")
-
-
-def _article(noun: str) -> str:
-    vowel = noun[0] in "aeio8" or (len(noun.split()[0]) == 1 and noun[0] in "AEFHILMNORSX")
-    return "an" if vowel else "a"

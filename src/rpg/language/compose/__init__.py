@@ -11,16 +11,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
-from dataclasses import replace
 from itertools import islice
 
 from rpg.language.compose.clauses import Reader
-from rpg.language.compose.items import FIGURE, items_of
+from rpg.language.compose.items import FIGURES, items_of
 from rpg.language.compose.scene import Scene, Unclear
 from rpg.language.compose.statements import say
 from rpg.language.compose.syntax import Both, Chain, Clause, Made, Noun, Phrase, Place, Predicate, Pronoun
 from rpg.language.compose.telling import tell
-from rpg.language.tokens import Token, tokenize
+from rpg.language.frames.retelling import standing
+from rpg.language.tokens import Token
 
 _MOST = 300
 """So many ways to read a text are looked at; one with more of them is not read."""
@@ -30,8 +30,7 @@ def composed(tokens: Sequence[Token]) -> Iterator[tuple[list[Token], str]]:
     """The text in plain sentences, and the words of that, if all ways to read it come to the same."""
     told = meanings(tokens)
     if len(told) == 1:
-        said, _ = tokenize(told[0])
-        yield [replace(token, span=tokens[0].span) for token in said], told[0]
+        yield standing(told[0], tokens), told[0]
 
 
 def meanings(tokens: Sequence[Token]) -> list[str]:
@@ -104,4 +103,4 @@ def _of_table(said: Predicate) -> bool:
 def _is_figure(phrase: Phrase) -> bool:
     if isinstance(phrase, Both):
         return any(map(_is_figure, phrase.parts))
-    return isinstance(phrase, Noun) and phrase.noun in FIGURE.values()
+    return isinstance(phrase, Noun) and phrase.noun in FIGURES

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from rpg.language.compose.items import COLOR, FIGURE
+from rpg.language import lexicon
+from rpg.language.compose.items import FIGURES
 from rpg.language.compose.places import Places
-from rpg.language.compose.syntax import Bears, Clause, Labels, Looks, Made, Noun, Phrase, Place, Predicate, Pronoun
+from rpg.language.compose.syntax import Bears, Clause, Label, Looks, Made, Noun, Phrase, Place, Predicate, Pronoun
 from rpg.language.compose.words import Ways, remembered
 
 _LEADS = (
@@ -158,20 +159,20 @@ class Reader(Places):
         if verb in _STACK and not no:
             found += [(Clause(what, (Made(_TOWER),), "build"), end) for what, end in self.phrase(start)]
         if no:
-            denied = [(replace(c, predicates=tuple(_denied(p) for p in c.predicates)), end) for c, end in found]
-            found = [(clause, end) for clause, end in denied if len(clause.predicates) == 1]
+            denied = [(replace(clause, predicates=_denied(clause.predicates)), end) for clause, end in found]
+            found = [(clause, end) for clause, end in denied if clause.predicates]
         return found
 
     def _built(self, start: int, *, laid: bool) -> Ways[Clause]:
         """What is to be built, with what is said of it, or of what it is built; only figures are `laid` so."""
         found: Ways[Clause] = []
         for what, end in self.phrase(start):
-            if not laid or (isinstance(what, Noun) and what.noun in FIGURE.values()):
+            if not laid or (isinstance(what, Noun) and what.noun in FIGURES):
                 found.append((Clause(what, (), "build"), end))
                 found += [(Clause(what, said, "build"), stop) for said, stop in self._rest(end)]
             for into in {self.past_any(end, way) for way in _INTO} - {0}:
                 for figure, stop in self.single(into):
-                    if isinstance(figure, Noun) and figure.noun in FIGURE.values():
+                    if isinstance(figure, Noun) and figure.noun in FIGURES:
                         found.append((Clause(what, (Made(figure),), "build"), stop))
                         found += [
                             (Clause(what, (Made(figure), *said), "build"), last) for said, last in self._rest(stop)
@@ -231,7 +232,7 @@ class Reader(Places):
             at + 1 if self.past_any(at + 1, *_LINED) and self.text(at) == "," else at
         )
         looks: Ways[tuple[Predicate, ...]] = []
-        if color := COLOR.get(self.text(start)):
+        if color := lexicon.COLOR.get(self.text(start)):
             looks.append(((Looks(Noun(color=color)),), start + 1))
         if end := self.past_any(start, *_LINED):
             row = Noun(
@@ -247,7 +248,7 @@ class Reader(Places):
         found: Ways[tuple[Predicate, ...]] = []
         for into in {self.past_any(at, way) for way in ("in", "into", "as")} - {0}:
             for figure, end in self.single(into):
-                if isinstance(figure, Noun) and figure.noun in FIGURE.values() and figure.det in {"a", ""}:
+                if isinstance(figure, Noun) and figure.noun in FIGURES and figure.det in {"a", ""}:
                     found.append(((Made(figure),), end))
         for place, end in self.place(at):
             found.append(((place,), end))
@@ -286,11 +287,11 @@ class Reader(Places):
             here = list(self._predicates(not_there))
             here += [((Looks(like),), stop) for like, stop in self.single(not_there)]
             if denied or not_there > end:  # what is joined to it may be denied, too, or not
-                here = [((_denied(said[0]),), stop) for said, stop in here if len(said) == 1]
+                here = [(opposite, stop) for said, stop in here if (opposite := _denied(said))]
             found += here
         for end in {self.past_any(start, way) for way in _FORM} - {0}:
             for figure, stop in self.single(end):
-                if isinstance(figure, Noun) and figure.noun in FIGURE.values() and not denied:
+                if isinstance(figure, Noun) and figure.noun in FIGURES and not denied:
                     found.append(((Made(figure),), stop))
                     that = self.past_any(stop, "that", "which") or stop
                     found += [((Made(figure), *more), last) for more, last in self._verbs(that)]
@@ -322,11 +323,9 @@ class Reader(Places):
 
 def _several(phrase: Phrase) -> bool:
     """Whether more than one block is told."""
-    return not isinstance(phrase, Labels | Noun) or (isinstance(phrase, Noun) and (phrase.many or phrase.count > 1))
+    return not isinstance(phrase, Label | Noun) or (isinstance(phrase, Noun) and (phrase.many or phrase.count > 1))
 
 
-def _denied(said: Predicate) -> Predicate:
-    """The opposite of what is said; what forms or looks so is not denied here."""
-    if isinstance(said, Place):
-        return replace(said, no=not said.no)
-    return Looks(Pronoun("not"))
+def _denied(said: tuple[Predicate, ...]) -> tuple[Predicate, ...]:
+    """The opposite of one place that is said; nothing of more, and of what forms or looks so."""
+    return tuple(replace(one, no=not one.no) for one in said if isinstance(one, Place)) if len(said) == 1 else ()

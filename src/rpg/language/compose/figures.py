@@ -5,16 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
-from rpg.language.compose.items import FIGURE, PART
+from rpg.language.compose.items import FIGURES, PARTS
 from rpg.language.compose.places_of import columns, places
 from rpg.language.compose.scene import Figure, Ref, Scene, Unclear
-from rpg.language.compose.syntax import Both, Chain, Labels, Listing, Noun, Phrase, Pronoun
+from rpg.language.compose.syntax import Both, Chain, Label, Listing, Noun, Phrase, Pronoun
 
 Resolve = Callable[[Scene, Phrase], Ref]
 """What a phrase stands for."""
-_FIGURES = frozenset(FIGURE.values())
-_PARTS = frozenset(PART.values())
-_ALL = frozenset({"each", "all", "both"})
+ALL = frozenset({"each", "all", "both"})
+"""What is said of every one of several."""
 _SIDES = frozenset({"left", "right"})
 _TOWARD = {"left": "to the left of", "right": "to the right of", "near": "in front of", "far": "behind"}
 _OPPOSITE = {"left": "right", "right": "left", "near": "far", "far": "near"}
@@ -22,20 +21,24 @@ _DEFAULT: dict[str, int] = {"plus": 5}
 
 
 def figures_of(scene: Scene, noun: Noun, resolve: Resolve) -> Ref:
-    kind = noun.noun if noun.noun in _FIGURES else scene.figures[-1].kind if scene.figures else ""
+    """The figures that a phrase stands for: those of such a kind that are known, or as many further ones.
+
+    Raises Unclear where it is not clear which of several, or what further ones are made of.
+    """
+    kind = noun.noun if noun.noun in FIGURES else scene.figures[-1].kind if scene.figures else ""
     if not kind:
         raise Unclear
     if noun.det in {"the", "each", "all", "both", "any"} or (not noun.det and noun.many and not noun.count):
         found = [n for n, figure in enumerate(scene.figures) if _fits(scene, n, figure, noun)]
         found = _ranked(scene, found, noun)
         if found:
-            many = noun.many or noun.det in _ALL
+            many = noun.many or noun.det in ALL
             if (not many and len(found) > 1) or (noun.count and noun.count != len(found)) or noun.det == "any":
                 raise Unclear
             for n in found:
                 scene.figures[n].implied = False
             return Ref("figure", found, each=noun.det == "each")
-        if noun.many or noun.det in _ALL or (noun.content is None and not noun.size):
+        if noun.many or noun.det in ALL or (noun.content is None and not noun.size):
             raise Unclear
     if noun.nth or noun.bound or set(noun.ranks) - {"tall", "short"}:
         raise Unclear
@@ -54,7 +57,7 @@ def figures_of(scene: Scene, noun: Noun, resolve: Resolve) -> Ref:
 
 def _fits(scene: Scene, n: int, figure: Figure, noun: Noun) -> bool:
     """Whether a figure may be the one that is spoken of."""
-    if noun.noun in _FIGURES and figure.kind != noun.noun:
+    if noun.noun in FIGURES and figure.kind != noun.noun:
         return False
     if noun.word and figure.word != noun.word:
         return False
@@ -72,8 +75,8 @@ def _same_blocks(scene: Scene, figure: Figure, content: Phrase) -> bool:
     parts = content.parts if isinstance(content, Both) else (content,)
     blocks = [scene.blocks[n] for n in figure.blocks]
     for made in parts:
-        if isinstance(made, Labels):
-            if not any(block.label == made.labels[0] for block in blocks):
+        if isinstance(made, Label):
+            if not any(block.label == made.label for block in blocks):
                 return False
         elif isinstance(made, Noun) and made.noun in {"block", "one", ""}:
             like = [block for block in blocks if not made.color or block.color == made.color]
@@ -199,27 +202,29 @@ def _check_size(figure: Figure, size: tuple[int, ...]) -> None:
 def part(scene: Scene, noun: Noun, resolve: Resolve) -> Ref:
     """The blocks of a figure at some of its places."""
     figures = _whole_figures(scene, noun, resolve)
-    said = (*noun.ranks, *((noun.noun,) if noun.noun in _PARTS | {"row", "column"} else ()))
+    said = (*noun.ranks, *((noun.noun,) if noun.noun in PARTS | {"row", "column"} else ()))
     ids = []
     for figure in figures:
         at = places(figure, said, noun.nth, noun.count)
         if figure.stage < 0 and scene.subject is not None:
             raise Unclear  # what is put there is on the whole figure, or on what is left of it
         if noun.det == "other":
-            at = [n for n in at if (figure.blocks, n) != scene.place]
-            if len(at) != 1 or scene.place is None or scene.place[0] is not figure.blocks:
+            if scene.place is None or scene.place[0] is not figure:
+                raise Unclear
+            at = [n for n in at if n != scene.place[1]]
+            if len(at) != 1:
                 raise Unclear
         scene.settle(figure)
-        scene.place = (figure.blocks, at[0]) if len(at) == 1 else None
+        scene.place = (figure, at[0]) if len(at) == 1 else None
         figure.sided |= bool(_SIDES & set(said)) and figure.kind in {"row", "line"}
         ids += [figure.blocks[n] for n in at]
     if noun.color and any(scene.blocks[n].color != noun.color for n in ids):
         raise Unclear
     whole = noun.noun in {"row", "column", "layer", "side"}
-    if not noun.many and noun.det not in _ALL and not noun.count and len(ids) > len(figures) and not whole:
+    if not noun.many and noun.det not in ALL and not noun.count and len(ids) > len(figures) and not whole:
         raise Unclear
     if noun.count and noun.count != len(ids):
-        if noun.det in {"the", *_ALL} or noun.bound or noun.count != 1:
+        if noun.det in {"the", *ALL} or noun.bound or noun.count != 1:
             raise Unclear
         ids = ids[:1]  # one of the ends, whichever
         if not scene.alike(figures[0].blocks) or figures[0].sided:

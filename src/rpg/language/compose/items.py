@@ -19,14 +19,11 @@ _PARTS = {
 }  # fmt: skip
 FIGURE = {word: kind for kind, words in _FIGURES.items() for word in words.split()}
 PART = {word: kind for kind, words in _PARTS.items() for word in words.split()}
-COLOR = {word: color for color, words in lexicon.COLORS.items() for word in words.split()}
-BLOCK = frozenset(f"{lexicon.BLOCK_NOUNS} object piece item".split())
-PATCH = frozenset({
-    "patch", "mat", "zone", "pad", "target", "spot", "area", "square_patch", "marker", "goal",
-})  # fmt: skip
+FIGURES, PARTS = frozenset(_FIGURES), frozenset(_PARTS)
+_BLOCK = frozenset(f"{lexicon.BLOCK_NOUNS} object piece item".split())
+PATCH = frozenset(lexicon.PATCH_NOUNS.split())
 TABLE = frozenset(lexicon.TABLE_NOUNS.split())
 SYMBOL = {"letter": "letter", "digit": "digit", "number": "digit", "numeral": "digit"}
-ORDINAL = {word: n for n, words in lexicon.ORDINALS.items() for word in words.split()}
 RANK = {
     "left": "left", "leftmost": "left", "right": "right", "rightmost": "right", "far": "far", "back": "far",
     "rear": "far", "farther": "far", "near": "near", "nearer": "near", "front": "near", "closer": "near",
@@ -49,7 +46,10 @@ _PLAIN = frozenset({
 
 @dataclass(frozen=True, slots=True)
 class Item:
-    """A word: `text` in lower case and in the singular where it is a noun; `many`: it is a plural."""
+    """A word: `text` in lower case, in the singular where it is a noun, "block" for any word for one.
+
+    `many`: it is a plural; `number`: the one that it says; `value`: the word in quotes, or the size, that it is.
+    """
 
     text: str
     raw: str
@@ -92,8 +92,10 @@ def _word(token: Token, word: str) -> Item:
         return Item("plain", token.raw)
     for end, said in (("", ""), ("s", ""), ("es", ""), ("ies", "y")):
         base = word[: len(word) - len(end)] + said if word.endswith(end) else ""
-        if base in FIGURE or base in PART or base in BLOCK or base in PATCH or base in SYMBOL or base == "one":
+        if base in _BLOCK:
+            return Item("block", token.raw, many=bool(end))
+        if base in FIGURE or base in PART or base in PATCH or base in SYMBOL or base == "one":
             return Item(base, token.raw, many=bool(end), number=number)
-        if base in COLOR and end:
+        if base in lexicon.COLOR and end:
             return Item(base, token.raw, many=True)
     return Item(word, token.raw, number=number)

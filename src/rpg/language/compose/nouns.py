@@ -4,23 +4,18 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rpg.language.compose.figures import figures_of, part, within
-from rpg.language.compose.items import FIGURE, PART
+from rpg.language.compose.figures import ALL, figures_of, part, within
+from rpg.language.compose.items import FIGURES, PARTS
 from rpg.language.compose.scene import Patch, Ref, Scene, Unclear
-from rpg.language.compose.syntax import Both, Chain, Labels, Listing, Noun, Phrase, Pronoun
-
-_FIGURES = frozenset(FIGURE.values())
-_PARTS = frozenset(PART.values())
-_ALL = frozenset({"each", "all", "both"})
-_SIDES = frozenset({"left", "right"})
+from rpg.language.compose.syntax import Both, Chain, Label, Listing, Noun, Phrase, Pronoun
 
 
 def resolve(scene: Scene, phrase: Phrase) -> Ref:
     """What a phrase stands for; what it tells of for the first time is put into the scene."""
     if isinstance(phrase, Pronoun):
         return scene.mention(_pronoun(scene, phrase.word))
-    if isinstance(phrase, Labels):
-        return scene.mention(Ref("block", [_labelled(scene, label, phrase.color) for label in phrase.labels]))
+    if isinstance(phrase, Label):
+        return scene.mention(Ref("block", [_labelled(scene, phrase.label, phrase.color)]))
     if isinstance(phrase, Both):
         return _both(scene, phrase)
     if isinstance(phrase, Chain | Listing):
@@ -52,8 +47,8 @@ def _both(scene: Scene, phrase: Both) -> Ref:
     refs = [resolve(scene, part) for part in phrase.parts]
     if len({ref.kind for ref in refs}) > 1 or any(ref.bound or ref.no or ref.each for ref in refs):
         raise Unclear
-    if any(isinstance(part, Labels) and part.labels[0].isdigit() for part in phrase.parts) and not all(
-        isinstance(part, Labels) for part in phrase.parts
+    if any(isinstance(part, Label) and part.label.isdigit() for part in phrase.parts) and not all(
+        isinstance(part, Label) for part in phrase.parts
     ):
         raise Unclear  # numbers of blocks, or on them
     nouns = [part for part in phrase.parts if isinstance(part, Noun) and part.noun in {"", "block"}]
@@ -115,12 +110,12 @@ def _last(scene: Scene) -> Ref:
 
 
 def _noun(scene: Scene, noun: Noun) -> Ref:
-    if noun.noun not in _FIGURES | {"one"} and (noun.content is not None or noun.size or noun.word):
+    if noun.noun not in FIGURES | {"one"} and (noun.content is not None or noun.size or noun.word):
         raise Unclear
-    if noun.det == "other" and noun.noun not in _PARTS:
+    if noun.det == "other" and noun.noun not in PARTS:
         return _others(scene, noun)
-    of_figure = noun.noun in _PARTS or noun.ranks or noun.nth
-    if noun.of is not None and of_figure and noun.noun not in _FIGURES - {"row", "column"}:
+    of_figure = noun.noun in PARTS or noun.ranks or noun.nth
+    if noun.of is not None and of_figure and noun.noun not in FIGURES - {"row", "column"}:
         return part(scene, noun, resolve)
     if noun.of is not None or noun.det == "but":
         return _some_of(scene, noun)
@@ -137,11 +132,11 @@ def _noun(scene: Scene, noun: Noun) -> Ref:
         return Ref("table", [])
     if noun.noun == "patch":
         return _patch(scene, noun)
-    if noun.noun in _FIGURES:
+    if noun.noun in FIGURES:
         return figures_of(scene, noun, resolve)
     if noun.noun in {"letter", "digit"}:
         raise Unclear
-    if noun.noun in _PARTS or (noun.ranks and noun.noun in {"block", "one"}) or (noun.nth and noun.noun == "one"):
+    if noun.noun in PARTS or (noun.ranks and noun.noun in {"block", "one"}) or (noun.nth and noun.noun == "one"):
         return _by_rank(scene, noun)
     return _blocks(scene, noun)
 
@@ -170,7 +165,7 @@ def _take(scene: Scene, ids: list[int]) -> Ref:
 
 def _others(scene: Scene, noun: Noun) -> Ref:
     """Those of the last lot that were not yet told of by themselves, or the other one of two figures or patches."""
-    if noun.noun in _FIGURES:
+    if noun.noun in FIGURES:
         spoken = {n for ref in (*scene.here, *scene.before) if ref.kind == "figure" for n in ref.ids}
         left = [n for n in range(len(scene.figures)) if n not in spoken]
         if len(left) != (noun.count or 1) or not spoken:
@@ -206,7 +201,7 @@ def _some_of(scene: Scene, noun: Noun) -> Ref:
     ids = whole.ids
     if noun.det == "all" and noun.of == Pronoun("them") and len(ids) < len(scene.blocks):
         raise Unclear
-    if noun.det in _ALL:
+    if noun.det in ALL:
         if noun.det == "both" and len(ids) != 2:
             raise Unclear
         return Ref(whole.kind, ids, each=noun.det == "each", every=True)
@@ -248,8 +243,8 @@ def _patch(scene: Scene, noun: Noun) -> Ref:
 def _blocks(scene: Scene, noun: Noun) -> Ref:
     """Blocks by their colour: those that are there, or further ones."""
     like = [n for n, block in enumerate(scene.blocks) if not noun.color or block.color == noun.color]
-    definite = noun.det in {"the", *_ALL} or (not noun.det and not noun.count and bool(noun.color))
-    many = noun.many or noun.det in _ALL or noun.count > 1
+    definite = noun.det in {"the", *ALL} or (not noun.det and not noun.count and bool(noun.color))
+    many = noun.many or noun.det in ALL or noun.count > 1
     if (
         noun.content is not None
         or noun.size
@@ -275,9 +270,7 @@ def _blocks(scene: Scene, noun: Noun) -> Ref:
     if definite and like:
         if (noun.count and noun.count != len(like)) or (not many and len(like) > 1):
             raise Unclear
-        if not noun.det and any(not noun.color for _ in like):
-            raise Unclear
-        return Ref("block", like, each=noun.det == "each", every=noun.det in _ALL)
+        return Ref("block", like, each=noun.det == "each", every=noun.det in ALL)
     if not noun.color and (definite or (not noun.count and noun.det != "another")):
         raise Unclear
     count = noun.count or (2 if noun.det == "both" else 1)
@@ -298,7 +291,7 @@ def _blocks(scene: Scene, noun: Noun) -> Ref:
     if not noun.color and any(not block.color and not block.label for block in scene.blocks):
         raise Unclear
     ids = scene.new_blocks(count, noun.color)
-    return Ref("block", ids, fresh=True, each=noun.det == "each", every=noun.det in _ALL)
+    return Ref("block", ids, fresh=True, each=noun.det == "each", every=noun.det in ALL)
 
 
 def _in_stock(scene: Scene, color: str) -> list[int]:

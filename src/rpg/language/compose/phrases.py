@@ -5,11 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from rpg.language.compose.items import BLOCK, COLOR, FIGURE, ORDINAL, PART, PATCH, RANK, SYMBOL, TABLE
-from rpg.language.compose.syntax import Both, Chain, Labels, Listing, Noun, Phrase, Pronoun
+from rpg.language import lexicon
+from rpg.language.compose.items import FIGURE, FIGURES, PART, PARTS, PATCH, RANK, SYMBOL, TABLE
+from rpg.language.compose.syntax import Both, Chain, Label, Listing, Noun, Phrase, Pronoun
 from rpg.language.compose.words import Text, Ways, remembered
 
-_PRONOUNS = frozenset(["it", "its", "they", "them", "their", "this", "that", "these", "those", "both"])
+_PRONOUNS = frozenset({"it", "they", "them", "this", "that", "these", "those", "both"})
+_TOLD_BY = frozenset({"block", *SYMBOL})
+"""What stands ahead of a symbol: "the cube Q", "the letters A and B"."""
 _DETS = {
     "a": "a", "an": "a", "the": "the", "each": "each", "every": "each", "all": "all", "both": "both", "no": "no",
     "another": "another", "any": "any", "this": "the", "that": "the", "these": "the", "those": "the", "my": "the",
@@ -30,7 +33,7 @@ class Phrases(Text):
         """One noun phrase, or several joined by commas and "and"."""
         found: Ways[Phrase] = []
         many = at + (self.text(at) == "the")
-        if self.text(many) in BLOCK | set(SYMBOL) and self.items[many].many and self.label(many + 1):
+        if self.text(many) in _TOLD_BY and self.items[many].many and self.label(many + 1):
             kind = SYMBOL.get(self.text(many), "")
             found += [(both, end) for both, end in self.phrase(many + 1) if _labelled(both, kind)]
         for part, end in self.single(at):
@@ -103,9 +106,9 @@ class Phrases(Text):
     def _labels(self, at: int) -> Iterator[tuple[Phrase, int]]:
         """ "A", "the cube Q", "the letter K", "the 4 block", "the block numbered 4"."""
         start = at + 1 if self.text(at) == "the" else at
-        color = COLOR.get(self.text(start), "")
+        color = lexicon.COLOR.get(self.text(start), "")
         start += bool(color)
-        said = self.text(start) in BLOCK | set(SYMBOL)
+        said = self.text(start) in _TOLD_BY
         named = start + said
         named = (
             self.past_any(named, "labelled", "labeled", "numbered", "bearing the number", "with the letter") or named
@@ -113,9 +116,9 @@ class Phrases(Text):
         if said and (color or self.items[start].many):
             return  # "the green cube 3" may be counted; several are told by `phrase`
         if label := self.label(named):
-            yield Labels((label,), color), named + 1
-            if not said and self.text(named + 1) in BLOCK and not self.items[named + 1].many:
-                yield Labels((label,), color), named + 2
+            yield Label(label, color), named + 1
+            if not said and self.text(named + 1) == "block" and not self.items[named + 1].many:
+                yield Label(label, color), named + 2
 
     def label(self, at: int) -> str:
         """The symbol that a word is, or nothing."""
@@ -209,28 +212,28 @@ class Phrases(Text):
         if item is None:
             return
         text = item.text
-        if text in COLOR and not noun.color:
-            with_color = replace(noun, color=COLOR[text], many=item.many)
+        if text in lexicon.COLOR and not noun.color:
+            with_color = replace(noun, color=lexicon.COLOR[text], many=item.many)
             yield with_color, at + 1
             yield from self._head(at + 1, replace(with_color, many=False))
         if text in RANK:
             yield from self._head(at + 1, replace(noun, ranks=(*noun.ranks, RANK[text])))
             if noun.det == "the" and RANK[text] in {"tall", "short", "former", "latter", "last"}:
                 yield replace(noun, ranks=(*noun.ranks, RANK[text]), noun="one"), at + 1
-        if text in ORDINAL and noun.det != "a":
-            nth = ORDINAL[text]
+        if text in lexicon.ORDINAL and noun.det != "a":
+            nth = lexicon.ORDINAL[text]
             yield replace(noun, nth=nth, noun="one"), at + 1
             yield from self._head(at + 1, replace(noun, nth=nth))
-        if text in {"plain", "such", "full", "filled", "more", "whole"}:
+        if text in {"plain", "such", "full", "filled", "more"}:
             yield from self._head(at + 1, noun)
         if text == "dims":
             size = tuple(int(n) for n in item.value.split("x"))
             yield from self._head(at + 1, replace(noun, size=size))
-        if item.number and self.text(at + 1) in {"block", "high", "cube"} and self.text(at + 2) in FIGURE:
+        if item.number and self.text(at + 1) in {"block", "high"} and self.text(at + 2) in FIGURE:
             yield from self._head(at + 2, replace(noun, size=(item.number,)))
         if item.number and self.text(at + 1) == "by" and (other := self.number(at + 2)):
             yield from self._head(at + 3, replace(noun, size=(item.number, other)))
-        kind = FIGURE.get(text) or PART.get(text) or ("block" if text in BLOCK else "") or SYMBOL.get(text, "")
+        kind = FIGURE.get(text) or PART.get(text) or ("block" if text == "block" else "") or SYMBOL.get(text, "")
         kind = kind or ("patch" if text in PATCH else "table" if text in TABLE else "one" if text == "one" else "")
         if kind:
             word = self.items[at + 1].value if kind == "word" and at + 1 < len(self.items) else ""
@@ -243,9 +246,9 @@ class Phrases(Text):
     def _behind(self, noun: Noun, at: int) -> Ways[Phrase]:
         """What stands behind a noun: what it is made of, what it is a part of, how high it is."""
         found: Ways[Phrase] = [(noun, at)]
-        if noun.noun in FIGURE.values() and self.text(at) == "in" and (color := COLOR.get(self.text(at + 1))):
+        if noun.noun in FIGURES and self.text(at) == "in" and (color := lexicon.COLOR.get(self.text(at + 1))):
             found.append((replace(noun, color=color), at + 2))
-        if noun.noun in FIGURE.values() or (noun.noun == "one" and noun.det in {"a", "another"}):
+        if noun.noun in FIGURES or (noun.noun == "one" and noun.det in {"a", "another"}):
             sizes = self._measured(noun, at) if noun.noun not in {"grid", "square"} else ()
             for measured, end in [(noun, at), *sizes]:
                 if end != at:
@@ -269,7 +272,7 @@ class Phrases(Text):
         start = self.past_any(at, "at the", "in the", "on the")
         other = self.text(start) == "other" if start else False
         for part, end in self._head(start + other, noun) if start else ():
-            if part.noun in PART.values():
+            if part.noun in PARTS:
                 told = replace(part, det="other" if other else "the")
                 yield told, end
                 yield from ((replace(told, of=whole), stop) for whole, stop in self._whole(end))
@@ -377,6 +380,6 @@ BOUNDS = [
 
 def _labelled(phrase: Phrase, kind: str) -> bool:
     """Whether blocks are told by their symbols, which are letters or digits where this is said."""
-    labels = [part.labels[0] for part in phrase.parts if isinstance(part, Labels)] if isinstance(phrase, Both) else []
+    labels = [part.label for part in phrase.parts if isinstance(part, Label)] if isinstance(phrase, Both) else []
     fits = not kind or all(label.isdigit() == (kind == "digit") for label in labels)
     return isinstance(phrase, Both) and len(labels) == len(phrase.parts) and fits

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from rpg.language.compose.scene import Figure, Unclear
 
-_LINES = frozenset({"row", "line", "column", "word"})
-_GRIDS = {"grid", "square", "wall"}
+_ENDS = {
+    "tower": ("bottom", "top"), "column": ("near", "far"),
+    **dict.fromkeys(("row", "line", "word"), ("left", "right")),
+}  # fmt: skip
+"""The ends of what is one block wide, from the first place to the last."""
 
 
 def columns(figure: Figure) -> int:
@@ -21,13 +24,9 @@ def places(figure: Figure, ranks: tuple[str, ...], nth: int = 0, count: int = 0)
     many, said = len(figure.blocks), set(ranks)
     if len(said) == 1 and 1 < count < many and not nth and (some := _several(figure, said, count)):
         return some
-    if figure.kind == "tower":
-        return _one_line(many, said, nth, "bottom", "top")
-    if figure.kind in _LINES - {"column"}:
-        return _one_line(many, said, nth, "left", "right")
-    if figure.kind == "column":
-        return _one_line(many, said, nth, "near", "far")
-    if figure.kind in _GRIDS and columns(figure):
+    if figure.kind in _ENDS:
+        return _one_line(many, said, nth, *_ENDS[figure.kind])
+    if columns(figure):
         return _of_grid(figure, said)
     if figure.kind == "plus" and many == 5:
         if said == {"middle"}:
@@ -41,12 +40,7 @@ def places(figure: Figure, ranks: tuple[str, ...], nth: int = 0, count: int = 0)
 
 def _several(figure: Figure, said: set[str], count: int) -> list[int]:
     """ "the two upper ones", "the three middle ones"."""
-    ends = {
-        "tower": ("bottom", "top"),
-        "row": ("left", "right"),
-        "line": ("left", "right"),
-        "word": ("left", "right"),
-    }.get(figure.kind)
+    ends = _ENDS.get(figure.kind)
     many = len(figure.blocks)
     if ends is None:
         return []
@@ -69,8 +63,6 @@ def _one_line(many: int, said: set[str], nth: int, first: str, last: str) -> lis
         if many % 2 == 0:
             raise Unclear
         return [many // 2]
-    if rest == {"inner"} and not ends:
-        return list(range(1, many - 1))
     if rest == {"outer"} or (said == {"end"}):
         return [0, many - 1]
     if rest or len(ends) != 1:

@@ -11,7 +11,7 @@ from rpg.language.compose.scene import Fact, Figure, Ref, Scene, Unclear
 from rpg.language.compose.syntax import Both, Phrase, Place
 
 SIDES = {"left": "to the left of", "right": "to the right of", "front": "in front of", "behind": "behind"}
-_RELATIONS = {**SIDES, "next": "next to", "near": "near"}
+_RELATIONS = {"next": "next to", "near": "near", "far": "far from", "touch": "touch"}
 _BARE_PLACES = frozenset({"top", "bottom", "middle", "left", "right", "front", "behind"})
 
 
@@ -84,7 +84,7 @@ def _in_figure(scene: Scene, ref: Ref, name: str) -> None:
         if len(at) != 1 or figure.told or figure.placed.get(at[0], ref.ids[0]) != ref.ids[0]:
             raise Unclear
         figure.placed[at[0]] = ref.ids[0]
-        scene.place = (figure.blocks, at[0])
+        scene.place = (figure, at[0])
         figure.sided |= name in {"left", "right"}
         return
     if name == "top" and ref.kind == "block":
@@ -227,13 +227,9 @@ def _facts_beside(a: Ref, b: Ref, said: Place) -> list[Fact]:
         return far
     if said.cm or said.how == "somewhere":
         raise Unclear
-    if said.relation in {"next", "near"}:
-        return [Fact(a, _RELATIONS[said.relation], b, no=said.no)]
-    if said.relation == "touch":
-        return [Fact(a, "touch", b, no=said.no)]
-    if said.relation == "far":
-        return [Fact(a, "far from", b, no=said.no)]
-    raise Unclear
+    if said.relation not in _RELATIONS:
+        raise Unclear
+    return [Fact(a, _RELATIONS[said.relation], b, no=said.no)]
 
 
 def _blocks(scene: Scene, ref: Ref) -> list[int]:

@@ -87,7 +87,7 @@ class Scene:
     """All that is told of, and what was spoken of last.
 
     `stock`: lots that the text says there are; `whole` is the lot of which some were told apart last, `taken` those.
-    `subject` is what something is being said of, `place` the one of the figure of these blocks that was told last.
+    `subject` is what something is being said of, `place` the one of a figure that was told last.
     `pending`: blocks that lie somewhere on others, and it has still to be said on which of them.
     """
 
@@ -104,7 +104,7 @@ class Scene:
     lots: int = 0
     stage: int = 0
     subject: tuple[str, list[int]] | None = None
-    place: tuple[list[int], int] | None = None
+    place: tuple[Figure, int] | None = None
     pending: list[tuple[list[int], list[int]]] = field(default_factory=list)
 
     def new_blocks(self, count: int, color: str = "", label: str = "") -> list[int]:

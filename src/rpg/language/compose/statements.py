@@ -8,12 +8,12 @@ from itertools import pairwise
 
 from rpg.language.compose.nouns import resolve
 from rpg.language.compose.relating import SIDES, bare, between, in_region, on, place, tops_of
-from rpg.language.compose.scene import Fact, Figure, Ref, Scene, Unclear
+from rpg.language.compose.scene import Fact, Ref, Scene, Unclear
 from rpg.language.compose.syntax import (
     Bears,
     Chain,
     Clause,
-    Labels,
+    Label,
     Looks,
     Made,
     Noun,
@@ -132,12 +132,8 @@ def _stacked(scene: Scene, chain: Chain) -> None:
     refs = [resolve(scene, part) for part in chain.parts]
     if any(ref.kind != "block" or len(ref.ids) != 1 for ref in refs):
         raise Unclear
-    for upper, lower in pairwise(refs):
+    for lower, upper in pairwise(reversed(refs)):  # from the bottom up, so that they grow to one tower
         on(scene, upper, lower, "on", no=False)
-    if len(refs) == 2:
-        figure = Figure("tower", [refs[1].ids[0], refs[0].ids[0]], told=True)
-        if not any(set(figure.blocks) & set(f.blocks) for f in scene.figures):
-            figure.kind = "chain"
     for ref in refs:
         scene.used.update(ref.ids)
 
@@ -296,7 +292,7 @@ def _looks(scene: Scene, ref: Ref, like: Phrase) -> None:
 
 def _bears(scene: Scene, ref: Ref, said: Bears) -> None:
     """Something lies on it, or nothing does."""
-    if isinstance(said.what, Labels):
+    if isinstance(said.what, Label):
         raise Unclear  # it may be the symbol on it
     if said.what is None:
         for n in tops_of(scene, ref):

@@ -1,4 +1,4 @@
-"""What the compositional reader makes of words: noun phrases, places, clauses. Plain data; `meaning` interprets it."""
+"""What the compositional reader makes of words: noun phrases, places, clauses. Plain data; `nouns` and `statements` interpret it."""
 
 from __future__ import annotations
 
@@ -32,10 +32,10 @@ class Noun:
 
 
 @dataclass(frozen=True, slots=True)
-class Labels:
-    """Blocks by the symbols on them."""
+class Label:
+    """A block by the symbol on it."""
 
-    labels: tuple[str, ...]
+    label: str
     color: str = ""
 
 
@@ -68,7 +68,7 @@ class Listing:
     parts: tuple[Phrase, ...]
 
 
-Phrase = Listing | Noun | Labels | Pronoun | Both | Chain
+Phrase = Listing | Noun | Label | Pronoun | Both | Chain
 
 
 @dataclass(frozen=True, slots=True)

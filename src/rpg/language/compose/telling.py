@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from rpg.blocks.nouns import article, join, number
 from rpg.language import lexicon
 from rpg.language.compose.places_of import columns
 from rpg.language.compose.scene import Block, Fact, Figure, Ref, Scene, Unclear
 
-_MANY = {n: word for n, word in lexicon.NUMBERS.items() if n <= 20}
 _PALETTE = (*lexicon.RAINBOW, "brown", "black", "gray", "white")
 _MOST = 30
 
@@ -90,18 +90,10 @@ def _assets(scene: Scene) -> str:
     for block in scene.blocks:
         lots[_look(block)] = lots.get(_look(block), 0) + 1
     said = [
-        f"{_article(look)} {look} block" if many == 1 else f"{_MANY[many]} {look} blocks" for look, many in lots.items()
+        f"{article(look)} {look} block" if many == 1 else f"{number(many)} {look} blocks" for look, many in lots.items()
     ]
-    patches = [f"There is {_article(patch.color)} {patch.color} patch." for patch in scene.patches]
-    return " ".join([f"There {'are' if len(scene.blocks) > 1 else 'is'} {_listed(said)}.", *patches])
-
-
-def _article(look: str) -> str:
-    return "an" if look[0] in "aeiouAEFHILMNORSX8" and not look.startswith("u") else "a"
-
-
-def _listed(parts: list[str]) -> str:
-    return parts[0] if len(parts) == 1 else f"{', '.join(parts[:-1])} and {parts[-1]}"
+    patches = [f"There is {article(patch.color)} {patch.color} patch." for patch in scene.patches]
+    return " ".join([f"There {'are' if len(scene.blocks) > 1 else 'is'} {join(said)}.", *patches])
 
 
 def _name(scene: Scene, n: int) -> str:
@@ -109,12 +101,12 @@ def _name(scene: Scene, n: int) -> str:
     same = [m for m, other in enumerate(scene.blocks) if _look(other) == _look(block)]
     if len(same) == 1:
         return f"the {_look(block)} block"
-    number = same.index(n) + 1
-    return f"{block.label} block number {number}" if block.label else f"{block.color} block {number}"
+    nth = same.index(n) + 1
+    return f"{block.label} block number {nth}" if block.label else f"{block.color} block {nth}"
 
 
 def _names(scene: Scene, ids: list[int]) -> str:
-    return _listed([_name(scene, n) for n in ids])
+    return join([_name(scene, n) for n in ids])
 
 
 def _operand(scene: Scene, ref: Ref) -> str:
@@ -185,14 +177,16 @@ def _figure(scene: Scene, figure: Figure) -> str:
         tall = many // wide
         if figure.kind == "wall":
             told = f" from top to bottom{order}" if figure.told else ""
-            return _sentence(f"{names} must form a wall {_MANY[wide]} blocks wide and {_MANY[tall]} blocks high{told}")
+            return _sentence(
+                f"{names} must form a wall {number(wide)} blocks wide and {number(tall)} blocks high{told}"
+            )
         told = f" row by row{order}" if figure.told else ""
-        return _sentence(f"{names} must form a grid of {_MANY[tall]} rows and {_MANY[wide]} columns{told}")
+        return _sentence(f"{names} must form a grid of {number(tall)} rows and {number(wide)} columns{told}")
     if figure.kind == "pyramid":
         base = next((n for n in range(2, 7) if n * (n + 1) // 2 == many), 0)
         if base:
             told = f" from top to bottom{order}" if figure.told else ""
-            return _sentence(f"{names} must form a pyramid with a base of {_MANY[base]} blocks{told}")
+            return _sentence(f"{names} must form a pyramid with a base of {number(base)} blocks{told}")
     if figure.kind == "group" and not figure.told:
         return _sentence(f"{names} must be in one group")
     if figure.kind in {"circle", "triangle", "square"} and not figure.told:
@@ -210,4 +204,4 @@ def _tower(scene: Scene, figure: Figure, many: int) -> str:
                 return "be stacked"
             if set(fact.a.ids) & own and not set(fact.b.ids) & own:
                 return "be stacked"
-    return f"form a tower of exactly {_MANY[many]}"
+    return f"form a tower of exactly {number(many)}"

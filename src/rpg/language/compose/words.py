@@ -17,11 +17,11 @@ def remembered(rule: Callable[..., Ways[T]]) -> Callable[..., Ways[T]]:
     """A rule that is asked once only of what begins at a word."""
 
     @wraps(rule)
-    def asked(self: Text, at: int, *more: object) -> Ways[T]:
-        key = (rule.__name__, at, *more)
+    def asked(self: Text, at: int) -> Ways[T]:
+        key = (rule.__name__, at)
         if key not in self.known:
             self.known[key] = []  # what begins with itself has no reading
-            self.known[key] = list(dict.fromkeys(rule(self, at, *more)))
+            self.known[key] = list(dict.fromkeys(rule(self, at)))
         return self.known[key]
 
     return asked
@@ -32,7 +32,7 @@ class Text:
 
     def __init__(self, items: Sequence[Item]) -> None:
         self.items = items
-        self.known: dict[Any, list[Any]] = {}
+        self.known: dict[tuple[str, int], list[Any]] = {}
 
     def text(self, at: int) -> str:
         """The word there; nothing behind the last one."""

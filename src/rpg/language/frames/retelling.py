@@ -54,20 +54,20 @@ def retold(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
     if not 0 < len(tokens) <= _MOST or tokens[0].word in _ASKS or [t.word for t in tokens[:2]] in _HAVE_ASKED:
         return
     given = [(start, behind) for start, _, behind in with_given(tokens, plainly)]
-    yield from ((_standing(told, tokens), told) for told in changes(tokens, plainly, given))
+    yield from ((standing(told, tokens), told) for told in changes(tokens, plainly, given))
     if not given:  # else what is there already would be told as what is to be built
         yield from _as_a_whole(tokens)
-    yield from ((_standing(told, tokens), told) for told in pairs(tokens, plainly))
+    yield from ((standing(told, tokens), told) for told in pairs(tokens, plainly))
     yield from _with_given(tokens)
     asides = (without_distractors, without_turns, without_measures, without_attached)
     for without, (rest, stretch, aside) in ((way, found) for way in asides for found in way(tokens)):
         rest = beside.stopped(rest, stretch[0])
         if without is without_attached:  # "it" may be another thing where the rest is no figure by itself
             whole = asked(plainly(rest) or "")
-            told = [(_standing(whole, rest), whole)] if whole else []
+            told = [(standing(whole, rest), whole)] if whole else []
         else:
             told = [(rest, _text(rest)), *_as_a_whole(rest)]
-        stands = _standing(aside, stretch)
+        stands = standing(aside, stretch)
         if without is without_turns and rest and stretch[-1].span < rest[0].span:  # what is there is told at the front
             told = [([*stands, *plain], f"{aside} {said}") for plain, said in told]
             stands, aside = [], ""
@@ -83,10 +83,10 @@ def retold(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
     for ahead, behind in reversed(parts):
         if (first := plainly(ahead)) is not None and not _ANY.search(first) and _by_itself(behind):
             first = asked(first)
-            yield [*_standing(first, ahead), *behind], f"{first} {_text(behind)}"
+            yield [*standing(first, ahead), *behind], f"{first} {_text(behind)}"
     for ahead, behind in parts:
         if (last := plainly(behind)) is not None and not _ANY.search(last) and _by_itself(ahead):
-            yield [*ahead, *_standing(last, behind)], f"{_text(ahead)} {last}"
+            yield [*ahead, *standing(last, behind)], f"{_text(ahead)} {last}"
 
 
 def _by_itself(tokens: Sequence[Token]) -> bool:
@@ -101,15 +101,15 @@ _LEADS_TO = {"start": ("At the start,", "At the start:"), "end": ("", "At the en
 def _as_a_whole(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
     """The text of one figure, or with plain words that lead to what is said of the start, and of the end."""
     if (whole := plainly(tokens)) is not None:
-        yield _standing(whole, tokens), whole
+        yield standing(whole, tokens), whole
     parts = moments.told_in_time(tokens)
     for leads in product(*(_LEADS_TO[part.moment] for part in parts)) if parts else ():
         out: list[Token] = []
         for lead, part in zip(leads, parts, strict=True):
             alone = part.moment == "end" and not lead and len(parts) == 1  # else its blocks may be told before
             said = plainly(part.said) if alone else None
-            told = [*part.said, part.said[-1].saying(".")] if said is None else _standing(said, part.said)
-            out += [*_standing(lead, part.lead or part.said), *told]
+            told = [*part.said, part.said[-1].saying(".")] if said is None else standing(said, part.said)
+            out += [*standing(lead, part.lead or part.said), *told]
         yield out, _text(out)
 
 
@@ -123,12 +123,10 @@ def _with_given(tokens: list[Token]) -> Iterator[tuple[list[Token], str]]:
         if words >= _TURNED or ("it" in words and "is on" in _text(ahead)):
             continue  # the blocks of it, or their order? what is on it, or all of it?
         sentences = re.findall(r"[^.]+\.", start)
-        begun = [
-            token for n, text in enumerate(sentences) for token in _standing(text, ahead[min(n, len(ahead) - 1) :])
-        ]
+        begun = [token for n, text in enumerate(sentences) for token in standing(text, ahead[min(n, len(ahead) - 1) :])]
         yield [*begun, *behind], f"{start} {_text(behind)}"
         if (aim := plainly(behind)) is not None:
-            yield [*begun, *_standing(aim, behind)], f"{start} {aim}"
+            yield [*begun, *standing(aim, behind)], f"{start} {aim}"
 
 
 def words() -> frozenset[str]:
@@ -231,7 +229,8 @@ def _parted(tokens: list[Token]) -> Iterator[tuple[list[Token], list[Token]]]:
             yield tokens[: n + 1], tokens[n + 1 :]
 
 
-def _standing(text: str, told: Sequence[Token]) -> list[Token]:
+def standing(text: str, told: Sequence[Token]) -> list[Token]:
+    """The words of a text that stands where what it tells again stands."""
     span = (told[0].span[0], told[-1].span[1])
     return [replace(token, span=span) for token in tokenize(text)[0]]
 

@@ -83,7 +83,18 @@ def test_told_again(text: str, meaning: str) -> None:
         "There is a tower of four pink blocks. Take it apart so that every block ends up on the table.",
         "At the start there is a tower of three red blocks. A blue block has to go on top of the tower.",
         "Two blue blocks and a white one stand in a row. Put it on the mat.",  # what "it" is
+        "A 2x3 grid: its far row is green, its near one orange.",  # "its" is no block
     ],
 )
 def test_not_told_again(text: str) -> None:
     assert told(text) == []
+
+
+def test_a_chain_grows_to_one_tower() -> None:
+    meaning = told("I want red over blue over green, with a white block next to the tower.")[0]
+    assert meaning.endswith("next to the tower of the green block, the blue block and the red block.")
+
+
+def test_more_blocks_than_have_a_word_are_told() -> None:
+    words, _, _ = read_words(tokenize("25 blocks in one row")[0])
+    assert meanings(words)[0].startswith("There are 25 red blocks.")

@@ -14,10 +14,10 @@ from contextlib import suppress
 from itertools import islice
 
 from rpg.language.compose.clauses import Reader
-from rpg.language.compose.items import FIGURES, items_of
+from rpg.language.compose.in_time import check_in_time
+from rpg.language.compose.items import items_of
 from rpg.language.compose.scene import Scene, Unclear
 from rpg.language.compose.statements import say
-from rpg.language.compose.syntax import Both, Chain, Clause, Made, Noun, Phrase, Place, Predicate, Pronoun
 from rpg.language.compose.telling import tell
 from rpg.language.frames.retelling import standing
 from rpg.language.tokens import Token
@@ -45,62 +45,8 @@ def meanings(tokens: Sequence[Token]) -> list[str]:
     for way in ways:
         scene = Scene()
         with suppress(Unclear):
-            _check_in_time(way)
+            check_in_time(way)
             for clause in way:
                 say(scene, clause)
             found[tell(scene)] = None
     return list(found)
-
-
-def _check_in_time(way: Sequence[Clause]) -> None:
-    """What is told to be so, or to be there, beside what is to be done may be so at the start alone."""
-    if any(clause.first for clause in way) and not any(clause.later for clause in way):
-        raise Unclear
-    asks = [n for n, clause in enumerate(way) if clause.mood == "put" or clause.later or _builds_of(clause)]
-    for n, clause in enumerate(way):
-        ahead = bool(asks) and n < asks[-1]
-        told = bool(clause.predicates) or isinstance(clause.subject, Chain)
-        if clause.mood == "there" and any(_of_table(said) for said in clause.predicates):
-            raise Unclear
-        if clause.mood == "there" and len(way) > 1 and (told or (ahead and _is_figure(clause.subject))):
-            raise Unclear
-        if asks and clause.mood == "so" and isinstance(clause.subject, Noun) and clause.subject.det == "a":
-            raise Unclear
-        if ahead and told and clause.mood in {"so", ""}:
-            raise Unclear
-        if n == 0 < len(way) - 1 and clause.mood == "so" and _is_bare(clause.predicates, "table"):
-            raise Unclear
-        behind = way[n + 1] if n + 1 < len(way) else None
-        if behind is None or behind.mood not in {"", "there", "so"}:
-            continue
-        if clause.mood == "start" != behind.mood or (
-            behind.mood == "" and any(_is_denied(p) for p in clause.predicates)
-        ):
-            raise Unclear
-        if _is_figure(clause.subject) and not clause.predicates and _is_figure(behind.subject) and behind.predicates:
-            place = behind.predicates[0]
-            if isinstance(place, Place) and place.of is not None and not isinstance(place.of, Pronoun):
-                raise Unclear  # of both, or of the last one
-
-
-def _builds_of(clause: Clause) -> bool:
-    """Whether something is built of what was told ahead."""
-    return clause.mood == "build" and any(isinstance(said, Made) for said in clause.predicates)
-
-
-def _is_denied(said: Predicate) -> bool:
-    return isinstance(said, Place) and said.no
-
-
-def _is_bare(predicates: Sequence[Predicate], name: str) -> bool:
-    return any((isinstance(said, Place) and said.relation == name) or _of_table(said) for said in predicates)
-
-
-def _of_table(said: Predicate) -> bool:
-    return isinstance(said, Place) and isinstance(said.of, Noun) and said.of.noun == "table"
-
-
-def _is_figure(phrase: Phrase) -> bool:
-    if isinstance(phrase, Both):
-        return any(map(_is_figure, phrase.parts))
-    return isinstance(phrase, Noun) and phrase.noun in FIGURES

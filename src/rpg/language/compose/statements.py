@@ -58,25 +58,9 @@ def _say(scene: Scene, clause: Clause) -> None:
         _one_for_each(scene, subject, clause.predicates[0])
         return
     ref = resolve(scene, subject)
-    if isinstance(subject, Noun) and subject.det in {"a", "another", ""} and ref.kind == "block" and any(
-        isinstance(said, Place) and said.no for said in clause.predicates
-    ) and not subject.of and len([b for b in scene.blocks if b.look == scene.blocks[ref.ids[0]].look]) > 1:  # fmt: skip
-        raise Unclear  # one of them, or none
-    if (
-        not clause.mood
-        and clause.predicates
-        and ref.kind == "block"
-        and len(ref.ids) > 1
-        and scene.figures
-        and ref.fresh
-    ):
-        raise Unclear  # these may form what was told ahead
+    _check_subject(scene, clause, ref)
     if clause.aside is not None:
         _aside(scene, ref, clause.aside)
-    of_part = ref.kind == "block" and isinstance(subject, Noun) and bool(subject.ranks or subject.of)
-    built = [f for f in scene.figures if not f.implied and f.stage == scene.stage]
-    if clause.mood == "put" and of_part and any(set(ref.ids) & set(f.blocks) for f in built):
-        raise Unclear  # what it is taken from is there already
     if not clause.predicates:
         _there_is(scene, ref)
     scene.subject = (ref.kind, ref.ids)
@@ -87,6 +71,24 @@ def _say(scene: Scene, clause: Clause) -> None:
     scene.subject = None
     if clause.predicates and ref.kind == "block":
         scene.used.update(ref.ids)
+
+
+def _check_subject(scene: Scene, clause: Clause, ref: Ref) -> None:
+    """Raises Unclear where something may be said of other blocks than of those."""
+    subject = clause.subject
+    if ref.kind != "block":
+        return
+    if isinstance(subject, Noun):
+        like = sum(block.look == scene.blocks[ref.ids[0]].look for block in scene.blocks)
+        denied = any(isinstance(said, Place) and said.no for said in clause.predicates)
+        if denied and subject.det in {"a", "another", ""} and not subject.of and like > 1:
+            raise Unclear  # of one of them, or of none
+        built = [f for f in scene.figures if not f.implied and f.stage == scene.stage]
+        moved = clause.mood == "put" and bool(subject.ranks or subject.of)
+        if moved and any(set(ref.ids) & set(f.blocks) for f in built):
+            raise Unclear  # what it is taken from is there already
+    if not clause.mood and clause.predicates and len(ref.ids) > 1 and scene.figures and ref.fresh:
+        raise Unclear  # these may form what was told ahead
 
 
 def _aside(scene: Scene, ref: Ref, clause: Clause) -> None:

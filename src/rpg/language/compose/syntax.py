@@ -1,4 +1,7 @@
-"""What the compositional reader makes of words: noun phrases, places, clauses. Plain data; `nouns` and `statements` interpret it."""
+"""What the compositional reader makes of words: noun phrases, places, clauses.
+
+Plain data; `nouns` and `statements` work out what it stands for.
+"""
 
 from __future__ import annotations
 

@@ -347,8 +347,10 @@ def _said_by_it(p: Parser, j: int, base: Structure) -> Iterator[tuple[str, int]]
         yield text, k + 1
 
 
-_READS = tuple(f"{that} {reads}" for that in ("that", "which") for reads in ("reads", "spells", "says"))
-_READS = (*_READS, "reading", "spelling", "saying")
+_READS = (
+    *(f"{that} {reads}" for that in ("that", "which") for reads in ("reads", "spells", "says")),
+    "reading", "spelling", "saying",
+)  # fmt: skip
 _STANDS = frozenset({"stands", "is", "lies", "sits", "goes", "should", "must", "shall", "has"})
 
 

@@ -1,0 +1,73 @@
+"""What is so at the start, and what at the end: texts that leave this open are not read."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+
+from rpg.language.compose.items import FIGURES
+from rpg.language.compose.scene import Unclear
+from rpg.language.compose.syntax import Both, Chain, Clause, Made, Noun, Phrase, Place, Predicate, Pronoun
+
+
+def check_in_time(way: Sequence[Clause]) -> None:
+    """What is told to be so, or to be there, beside what is to be done may be so at the start alone.
+
+    Raises Unclear where this is not clear, and where a clause may go on what is said in the one ahead of it.
+    """
+    if any(clause.first for clause in way) and not any(clause.later for clause in way):
+        raise Unclear
+    asks = [n for n, clause in enumerate(way) if clause.mood == "put" or clause.later or _builds_of(clause)]
+    last = asks[-1] if asks else 0
+    for n, clause in enumerate(way):
+        told = bool(clause.predicates) or isinstance(clause.subject, Chain)
+        if clause.mood == "there":
+            _check_there(clause, told=told, alone=len(way) == 1, ahead=n < last)
+        if n < last and told and clause.mood in {"so", ""}:
+            raise Unclear
+        if clause.mood == "so" and asks and isinstance(clause.subject, Noun) and clause.subject.det == "a":
+            raise Unclear
+    if len(way) > 1 and way[0].mood == "so" and any(map(_on_table, way[0].predicates)):
+        raise Unclear
+    for clause, behind in pairwise(way):
+        if behind.mood in {"", "there", "so"}:
+            _check_joined(clause, behind)
+
+
+def _check_there(clause: Clause, *, told: bool, alone: bool, ahead: bool) -> None:
+    """ "There is a tower": it is to be built, unless more is said of it, or is to be done."""
+    if any(_of_table(said) for said in clause.predicates):
+        raise Unclear
+    if not alone and (told or (ahead and _is_figure(clause.subject))):
+        raise Unclear
+
+
+def _check_joined(clause: Clause, behind: Clause) -> None:
+    """What stands behind a clause without a verb of its own may be so at the start, be denied, or be said of both."""
+    if clause.mood == "start" != behind.mood:
+        raise Unclear
+    if not behind.mood and any(isinstance(said, Place) and said.no for said in clause.predicates):
+        raise Unclear
+    if _is_figure(clause.subject) and not clause.predicates and _is_figure(behind.subject) and behind.predicates:
+        place = behind.predicates[0]
+        if isinstance(place, Place) and place.of is not None and not isinstance(place.of, Pronoun):
+            raise Unclear
+
+
+def _builds_of(clause: Clause) -> bool:
+    """Whether something is built of what was told ahead."""
+    return clause.mood == "build" and any(isinstance(said, Made) for said in clause.predicates)
+
+
+def _on_table(said: Predicate) -> bool:
+    return (isinstance(said, Place) and said.relation == "table") or _of_table(said)
+
+
+def _of_table(said: Predicate) -> bool:
+    return isinstance(said, Place) and isinstance(said.of, Noun) and said.of.noun == "table"
+
+
+def _is_figure(phrase: Phrase) -> bool:
+    if isinstance(phrase, Both):
+        return any(map(_is_figure, phrase.parts))
+    return isinstance(phrase, Noun) and phrase.noun in FIGURES

@@ -24,6 +24,21 @@ CASES: dict[str, dict[str, Any]] = {
         "hold": ["blue^red white green^yellow", "green^yellow white blue^red"],
         "miss": ["blue^red green^yellow white", "red^blue white green^yellow", "blue^red ; green^yellow ; white"],
     },
+    "The A belongs on the red or the blue cube, and the B on the other one.": {
+        "assets": {"A": 1, "B": 1, "red": 1, "blue": 1},
+        "hold": ["red^A blue^B", "red^B blue^A"],
+        "miss": ["red^A^B blue", "A^red B^blue", "red^A blue B", "red blue^A^B"],
+    },
+    "Build two stacks, red on blue and green on blue. The white block goes to the left of the one with red on top.": {
+        "assets": {"red": 1, "green": 1, "blue": 2, "white": 1},
+        "hold": ["white blue^red blue^green"],
+        "miss": ["blue^red white blue^green", "white blue^green red^blue"],
+    },
+    "One tower is red on blue, the other green on yellow. The white block stands next to whichever has yellow in it.": {
+        "assets": {"red": 1, "blue": 1, "green": 1, "yellow": 1, "white": 1},
+        "hold": ["blue^red . . . yellow^green white"],
+        "miss": ["white blue^red . . . yellow^green", "blue^red . . . green^yellow white"],
+    },
 }
 
 

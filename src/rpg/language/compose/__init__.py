@@ -11,19 +11,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
-from itertools import islice
 
 from rpg.language.compose.clauses import Reader
 from rpg.language.compose.in_time import check_in_time
 from rpg.language.compose.items import items_of
-from rpg.language.compose.scene import Scene, Unclear
-from rpg.language.compose.statements import say
-from rpg.language.compose.telling import tell
+from rpg.language.compose.scene import Unclear
+from rpg.language.compose.telling import tell_all
+from rpg.language.compose.ways import TooMany, readings
 from rpg.language.frames.retelling import standing
 from rpg.language.tokens import Token
-
-_MOST = 300
-"""So many ways to read a text are looked at; one with more of them is not read."""
 
 
 def composed(tokens: Sequence[Token]) -> Iterator[tuple[list[Token], str]]:
@@ -38,15 +34,12 @@ def meanings(tokens: Sequence[Token]) -> list[str]:
     items = items_of(tokens)
     if not items:
         return []
-    ways = list(islice(Reader(items).readings(), _MOST + 1))
-    if len(ways) > _MOST:
-        return []
     found: dict[str, None] = {}
-    for way in ways:
-        scene = Scene()
-        with suppress(Unclear):
-            check_in_time(way)
-            for clause in way:
-                say(scene, clause)
-            found[tell(scene)] = None
+    try:
+        for way, scenes in readings(Reader(items)):
+            with suppress(Unclear):
+                check_in_time(way)
+                found[tell_all(scenes)] = None
+    except TooMany:
+        return []
     return list(found)

@@ -4,11 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import NamedTuple
 
 from rpg.language import lexicon
-from rpg.language.compose.items import FIGURES
+from rpg.language.compose.items import FIGURES, RANK
 from rpg.language.compose.places import Places
-from rpg.language.compose.syntax import Bears, Clause, Label, Looks, Made, Noun, Phrase, Place, Predicate, Pronoun
+from rpg.language.compose.syntax import (
+    Bears,
+    Chain,
+    Clause,
+    Either,
+    Label,
+    Looks,
+    Made,
+    Noun,
+    Phrase,
+    Place,
+    Predicate,
+    Pronoun,
+)
 from rpg.language.compose.words import Ways, remembered
 
 _LEADS = (
@@ -74,46 +88,52 @@ _WITH = frozenset({", with", "with", ", leaving", "so that", ", so that"})
 """Behind these stands what is so of a thing that is told of, not a further thing."""
 
 
+_STOPS = frozenset({".", "!", "?", ",", ";"})
+
+
+class Step(NamedTuple):
+    """A clause, where the next one begins, and of that: whether it has to say something, is of later, and is joined to
+    this one, so that its verb may be the verb of both."""
+
+    clause: Clause
+    at: int
+    said: bool = False
+    later: bool = False
+    joined: bool = False
+
+
 class Reader(Places):
     """Reads the clauses of a text."""
 
-    def readings(self) -> Iterator[tuple[Clause, ...]]:
-        """All ways to read the whole text, those with the longest first clauses first."""
-        yield from self._from(0)
-
-    def _from(self, at: int, *, said: bool = False) -> Iterator[tuple[Clause, ...]]:
-        """`said`: something has to be said of what the first clause is about."""
-        while self.text(at) in {".", "!", "?", ",", ";"}:
-            at += 1
-        if at >= len(self.items):
-            yield ()
-            return
+    def steps(self, at: int, *, said: bool = False) -> Iterator[Step]:
+        """The clauses that a text may go on with, the longest first. `said`: something has to be said in it."""
         for clause, end in sorted(self.clause(at), key=lambda way: -way[1]):
             if said and not clause.predicates:
                 continue
             if clause.mood == "in":
-                start = end + (self.text(end) == ",")
-                for rest in self._from(start) if start < len(self.items) else ():
-                    yield (clause, *rest)
+                yield Step(clause, end + (self.text(end) == ","))
                 continue
             if end >= len(self.items):
-                yield (clause,)
+                yield Step(clause, end)
             for words in _SEPARATORS:
                 if start := self.past_any(end, words):
-                    for rest in self._from(start, said=words in _WITH):
-                        yield (clause, *rest)
+                    yield Step(clause, self._begin(start), said=words in _WITH, joined=words not in _STOPS)
             for words in _THEN:
                 if start := self.past_any(end, words):
-                    for rest in self._from(start + (self.text(start) == ",")):
-                        if rest:
-                            yield (clause, replace(rest[0], later=True), *rest[1:])
+                    yield Step(clause, self._begin(start), later=True)
+
+    def _begin(self, at: int) -> int:
+        """Where the next clause begins."""
+        while self.text(at) in _STOPS:
+            at += 1
+        return at
 
     @remembered
     def clause(self, at: int) -> Ways[Clause]:
         """One clause; one that says several things at once is told as several."""
         found: Ways[Clause] = []
         if self.text(at) == "which":
-            found += [(Clause(Pronoun("which"), said, "must"), end) for said, end in self._verbs(at + 1)]
+            found += [(Clause(Pronoun("which"), said, "must"), end) for said, end in self.verbs(at + 1)]
         if begin := self.past_any(at, *_START, *(f"{start} ," for start in _START), "start :"):
             found += [(replace(said, mood="start"), end) for said, end in self.clause(begin)]
         if first := self.past_any(at, "first", "first ,", "first of all ,"):
@@ -126,6 +146,10 @@ class Reader(Places):
                 found += self._spelled(start + 1)
             found += self._statement(start)
             found += [(Clause(what, said, "there" if there else ""), end) for what, said, end in self._existing(start)]
+        if either := self.past_any(at, "either"):
+            for one, end in self.clause(either):
+                if one.predicates and one.other is None and (start := self.past_any(end, "or", ", or")):
+                    found += [(replace(one, other=other), stop) for other, stop in self.clause(start) if _says(other)]
         if end := self.past_any(at, "nothing on", "none on", "nothing on top of", "nothing is on", "nothing may be on"):
             found += [(Clause(what, (Bears(None),)), stop) for what, stop in self.phrase(end)]
         late = [(said, start) for said, end in found if (start := self.past_any(end, *_START)) and said.predicates]
@@ -153,7 +177,7 @@ class Reader(Places):
             for what, end in self.phrase(start):
                 for said, stop in self._predicates(end):
                     if isinstance(said[0], Place):
-                        if verb in _STACK and _several(what):
+                        if verb in _STACK and several(what):
                             said = (Made(_TOWER), *said)
                         found.append((Clause(what, said, "put"), stop))
         if verb in _STACK and not no:
@@ -213,7 +237,7 @@ class Reader(Places):
         for what, stop in self.phrase(at):
             for aside, start in ((None, stop), *self._aside(stop)):
                 mood = "must" if self.past_any(start, *_AUX, "not") else "so"
-                found += [(Clause(what, said, mood, aside), end) for said, end in self._verbs(start)]
+                found += [(Clause(what, said, mood, aside), end) for said, end in self.verbs(start)]
         return found
 
     def _aside(self, at: int) -> Ways[Clause]:
@@ -231,7 +255,7 @@ class Reader(Places):
         start = self.past_any(at, ", which") or (
             at + 1 if self.past_any(at + 1, *_LINED) and self.text(at) == "," else at
         )
-        looks: Ways[tuple[Predicate, ...]] = []
+        looks: Ways[tuple[Predicate, ...]] = [((Looks(how),), end) for how, end in self._ordered(start)]
         if color := lexicon.COLOR.get(self.text(start)):
             looks.append(((Looks(Noun(color=color)),), start + 1))
         if end := self.past_any(start, *_LINED):
@@ -239,8 +263,12 @@ class Reader(Places):
                 det="a", noun="row", ranks=("left",) if "left" in [i.text for i in self.items[start:end]] else ()
             )
             looks.append(((Made(row),), end))
-        verbs = self._verbs(start) if start > at or self.text(start).endswith("ing") else []
+        verbs = self.verbs(start) if start > at or self.text(start).endswith("ing") else []
         return [*looks, *self._predicates(start), *verbs]
+
+    def _ordered(self, at: int) -> Ways[Phrase]:
+        """ "red on green", "pink on blue and blue on pink": what is told of stacks."""
+        return [*((how, end) for how, end in self.single(at) if isinstance(how, Chain)), *self._listing(at)]
 
     @remembered
     def _predicates(self, at: int) -> Ways[tuple[Predicate, ...]]:
@@ -250,6 +278,7 @@ class Reader(Places):
             for figure, end in self.single(into):
                 if isinstance(figure, Noun) and figure.noun in FIGURES and figure.det in {"a", ""}:
                     found.append(((Made(figure),), end))
+        found += self._either(at)
         for place, end in self.place(at):
             found.append(((place,), end))
             for more, stop in self.place(end):
@@ -259,18 +288,35 @@ class Reader(Places):
             ways -= set() if place.no else {self.past_any(end, "but"), self.past_any(end, ", but")}
             ways -= {self.past_any(end, "and"), self.past_any(end, ", and")} if place.no else set()
             for start in ways:
-                more_said = [*self._predicates(start), *(self._verbs(start) if self.text(start - 1) != "," else ())]
+                more_said = [*self._predicates(start), *(self.verbs(start) if self.text(start - 1) != "," else ())]
                 found += [((place, *more), stop) for more, stop in more_said]
         return found
 
+    def _either(self, at: int) -> Ways[tuple[Predicate, ...]]:
+        """ "on the patch or next to it", "to the left or right of the block"."""
+        found: Ways[tuple[Predicate, ...]] = []
+        start = self.past_any(at, "either") or at
+        for place, end in [*self.place(start), *self.shared(start)]:
+            if behind := self.past_any(end, "or", ", or"):
+                if (side := RANK.get(self.text(behind), "")) in {"left", "right"} and place.relation in {
+                    "left",
+                    "right",
+                }:
+                    found.append(((Either((place, replace(place, relation=side))),), behind + 1))
+                for other, stop in self.place(behind):
+                    one = place if place.of is not None else replace(place, of=other.of)
+                    if not one.no and not other.no:
+                        found.append(((Either((one, other)),), stop))
+        return found
+
     @remembered
-    def _verbs(self, at: int) -> Ways[tuple[Predicate, ...]]:
+    def verbs(self, at: int) -> Ways[tuple[Predicate, ...]]:
         """A verb with what belongs to it, and more of such."""
         found: Ways[tuple[Predicate, ...]] = []
         for said, end in self._verb(at):
             found.append((said, end))
             for start in {self.past_any(end, way) for way in ("and", "but", ", but", ", and")} - {0}:
-                found += [((*said, *more), stop) for more, stop in self._verbs(start)]
+                found += [((*said, *more), stop) for more, stop in self.verbs(start)]
         return found
 
     def _verb(self, at: int) -> Ways[tuple[Predicate, ...]]:
@@ -286,6 +332,7 @@ class Reader(Places):
             not_there = self.past_any(end, "not") or end
             here = list(self._predicates(not_there))
             here += [((Looks(like),), stop) for like, stop in self.single(not_there)]
+            here += [((Looks(like),), stop) for like, stop in self._listing(not_there)]
             if denied or not_there > end:  # what is joined to it may be denied, too, or not
                 here = [(opposite, stop) for said, stop in here if (opposite := _denied(said))]
             found += here
@@ -294,7 +341,7 @@ class Reader(Places):
                 if isinstance(figure, Noun) and figure.noun in FIGURES and not denied:
                     found.append(((Made(figure),), stop))
                     that = self.past_any(stop, "that", "which") or stop
-                    found += [((Made(figure), *more), last) for more, last in self._verbs(that)]
+                    found += [((Made(figure), *more), last) for more, last in self.verbs(that)]
                     found += [((Made(figure), *more), last) for more, last in self._predicates(stop)]
         for end in {self.past_any(start, way) for way in _BEAR} - {0}:
             if nothing := self.past_any(end, "nothing on top", "nothing on it", "nothing"):
@@ -321,7 +368,12 @@ class Reader(Places):
         return found
 
 
-def _several(phrase: Phrase) -> bool:
+def _says(clause: Clause) -> bool:
+    """Whether a clause says one thing, and by itself."""
+    return bool(clause.predicates) and clause.other is None and clause.aside is None
+
+
+def several(phrase: Phrase) -> bool:
     """Whether more than one block is told."""
     return not isinstance(phrase, Label | Noun) or (isinstance(phrase, Noun) and (phrase.many or phrase.count > 1))
 

@@ -29,7 +29,7 @@ def figures_of(scene: Scene, noun: Noun, resolve: Resolve) -> Ref:
     if not kind:
         raise Unclear
     if noun.det in {"the", "each", "all", "both", "any"} or (not noun.det and noun.many and not noun.count):
-        found = [n for n, figure in enumerate(scene.figures) if _fits(scene, n, figure, noun)]
+        found = [n for n, figure in enumerate(scene.figures) if figure_fits(scene, figure, noun)]
         found = _ranked(scene, found, noun)
         if found:
             many = noun.many or noun.det in ALL
@@ -38,14 +38,15 @@ def figures_of(scene: Scene, noun: Noun, resolve: Resolve) -> Ref:
             for n in found:
                 scene.figures[n].implied = False
             return Ref("figure", found, each=noun.det == "each")
-        if noun.many or noun.det in ALL or (noun.content is None and not noun.size):
+        listed = isinstance(noun.content, Listing) and not scene.figures
+        if ((noun.many or noun.det in ALL) and not listed) or (noun.content is None and not noun.size):
             raise Unclear
     if noun.nth or noun.bound or set(noun.ranks) - {"tall", "short"}:
         raise Unclear
-    if noun.count > 1 and noun.made == "from":
-        raise Unclear
+    if noun.count > 1 and (noun.made == "from" or (isinstance(noun.content, Both) and noun.made != "each")):
+        raise Unclear  # these are all of their blocks, or those of each
     if isinstance(noun.content, Listing):
-        if noun.count != len(noun.content.parts):
+        if noun.count not in {0, len(noun.content.parts)}:
             raise Unclear
         made = [_made(scene, replace(noun, count=0, content=of), kind, resolve) for of in noun.content.parts]
         return Ref("figure", made, fresh=True)
@@ -55,7 +56,7 @@ def figures_of(scene: Scene, noun: Noun, resolve: Resolve) -> Ref:
     return Ref("figure", made, fresh=True)
 
 
-def _fits(scene: Scene, n: int, figure: Figure, noun: Noun) -> bool:
+def figure_fits(scene: Scene, figure: Figure, noun: Noun) -> bool:
     """Whether a figure may be the one that is spoken of."""
     if noun.noun in FIGURES and figure.kind != noun.noun:
         return False
@@ -143,7 +144,7 @@ def _made(scene: Scene, noun: Noun, kind: str, resolve: Resolve) -> int:
         size, content = size or (content.count,), None
     figure = Figure(kind, [], size if len(size) == 2 else (), noun.word)
     if isinstance(content, Chain):
-        figure.blocks = [_one(scene, of, resolve) for of in reversed(content.parts)]
+        figure.blocks = [_storey(scene, of, resolve) for of in reversed(content.parts)]
         figure.told = True
         if kind != "tower" or noun.made == "from" or len(set(figure.blocks)) < len(figure.blocks):
             raise Unclear
@@ -175,6 +176,16 @@ def _made(scene: Scene, noun: Noun, kind: str, resolve: Resolve) -> int:
     scene.figures.append(figure)
     scene.here = here  # "it" is the figure, not what it is made of
     return len(scene.figures) - 1
+
+
+def _storey(scene: Scene, phrase: Phrase, resolve: Resolve) -> int:
+    """A block of a tower told from top to bottom: one that is a part of another figure is not meant again."""
+    told = isinstance(phrase, Noun) and phrase.color and not phrase.det and phrase.count < 2
+    if told and isinstance(phrase, Noun):
+        like = [n for n, block in enumerate(scene.blocks) if block.color == phrase.color]
+        if like and all(scene.figure_of(n) for n in like):
+            return scene.new_blocks(1, phrase.color)[0]
+    return _one(scene, phrase, resolve)
 
 
 def _one(scene: Scene, phrase: Phrase, resolve: Resolve) -> int:

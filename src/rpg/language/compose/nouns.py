@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from rpg.language.compose.chosen import chosen
 from rpg.language.compose.figures import ALL, figures_of, part, within
 from rpg.language.compose.items import FIGURES, PARTS
 from rpg.language.compose.scene import Patch, Ref, Scene, Unclear
@@ -43,7 +44,7 @@ def _labelled(scene: Scene, label: str, color: str) -> int:
 def _both(scene: Scene, phrase: Both) -> Ref:
     """Several: all of one kind, or told of one by one."""
     if phrase.either:
-        raise Unclear
+        return _one_of(scene, phrase)
     refs = [resolve(scene, part) for part in phrase.parts]
     if len({ref.kind for ref in refs}) > 1 or any(ref.bound or ref.no or ref.each for ref in refs):
         raise Unclear
@@ -61,6 +62,21 @@ def _both(scene: Scene, phrase: Both) -> Ref:
         raise Unclear
     rest = [n for ref in refs for n in ref.rest]
     return scene.mention(Ref(refs[0].kind, ids, rest, fresh=all(ref.fresh for ref in refs)))
+
+
+def _one_of(scene: Scene, phrase: Both) -> Ref:
+    """One or another: "the other one" is one that is not meant."""
+    figures = len(scene.figures)
+    refs = [resolve(scene, part) for part in phrase.parts]
+    ids = [n for ref in refs for n in ref.ids]
+    unlike = len({ref.kind for ref in refs}) > 1 or len(set(ids)) < len(ids) or len(scene.figures) > figures
+    if unlike or any(ref.bound or ref.no or ref.each for ref in refs):
+        raise Unclear
+    one = refs[scene.choose(len(refs))]
+    if one.kind == "block":
+        scene.whole, scene.taken = ids, list(one.ids)
+    scene.here = [ref for ref in scene.here if ref not in refs]
+    return scene.mention(replace(one, fresh=False, either=True))
 
 
 def _pronoun(scene: Scene, word: str) -> Ref:
@@ -110,6 +126,8 @@ def _last(scene: Scene) -> Ref:
 
 
 def _noun(scene: Scene, noun: Noun) -> Ref:
+    if noun.that:
+        return chosen(scene, noun, resolve)
     if noun.noun not in FIGURES | {"one"} and (noun.content is not None or noun.size or noun.word):
         raise Unclear
     if noun.det == "other" and noun.noun not in PARTS:

@@ -6,26 +6,24 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from rpg.language import lexicon
-from rpg.language.compose.items import FIGURE, FIGURES, PART, PARTS, PATCH, RANK, SYMBOL, TABLE
-from rpg.language.compose.syntax import Both, Chain, Label, Listing, Noun, Phrase, Pronoun
-from rpg.language.compose.words import Text, Ways, remembered
+from rpg.language.compose.contents import Contents
+from rpg.language.compose.heads import TOLD_BY
+from rpg.language.compose.items import FIGURES, PARTS, RANK, SYMBOL
+from rpg.language.compose.syntax import Bears, Both, Chain, Holds, Label, Listing, Noun, Phrase, Pronoun
+from rpg.language.compose.words import Ways, remembered
 
 _PRONOUNS = frozenset({"it", "they", "them", "this", "that", "these", "those", "both"})
-_TOLD_BY = frozenset({"block", *SYMBOL})
-"""What stands ahead of a symbol: "the cube Q", "the letters A and B"."""
 _DETS = {
     "a": "a", "an": "a", "the": "the", "each": "each", "every": "each", "all": "all", "both": "both", "no": "no",
     "another": "another", "any": "any", "this": "the", "that": "the", "these": "the", "those": "the", "my": "the",
     "our": "the", "either": "each", "second": "another", "further": "another",
 }  # fmt: skip
-_MADE_OF = (
-    "of", "from", "which is made of", "that is made of", "which consists of", "each comprising", "each of",
-    "each made of", "made of", "made from", "made out of", "consisting of", "comprising", "containing", "made up of",
-    "built from", "built of", "out of", "with", "in",
-)  # fmt: skip
+_HOLDING = ("with", "without", "containing", "having", "including")
+_CHOSEN = frozenset({"the", "each", "all", "both"})
+_ONES = Noun(det="the", noun="one", many=True)
 
 
-class Phrases(Text):
+class Phrases(Contents):
     """Reads noun phrases."""
 
     @remembered
@@ -33,24 +31,27 @@ class Phrases(Text):
         """One noun phrase, or several joined by commas and "and"."""
         found: Ways[Phrase] = []
         many = at + (self.text(at) == "the")
-        if self.text(many) in _TOLD_BY and self.items[many].many and self.label(many + 1):
+        if self.text(many) in TOLD_BY and self.items[many].many and self.label(many + 1):
             kind = SYMBOL.get(self.text(many), "")
             found += [(both, end) for both, end in self.phrase(many + 1) if _labelled(both, kind)]
         for part, end in self.single(at):
             found.append((part, end))
-            found += [(Both((part, *rest)), stop) for rest, stop in self._joined(end)]
-            if end2 := self.past_any(end, "or"):
-                found += [(Both((part, more), either=True), stop) for more, stop in self.single(end2)]
+            found += [(Both(_headed((part, *rest))), stop) for rest, stop in self._joined(end, "and", ", and", "plus")]
+            found += [
+                (Both(_headed((part, *rest)), either=True), stop) for rest, stop in self._joined(end, "or", ", or")
+            ]
+        if either := self.past_any(at, "either", "either one of", "one of"):
+            found += [way for way in self.phrase(either) if isinstance(way[0], Both) and way[0].either]
         return found
 
-    def _joined(self, at: int) -> Ways[tuple[Phrase, ...]]:
+    def _joined(self, at: int, *words: str) -> Ways[tuple[Phrase, ...]]:
         """What is joined to a noun phrase: ", B and C"."""
         found: Ways[tuple[Phrase, ...]] = []
-        if last := self.past_any(at, "and", ", and", "plus"):
+        if last := self.past_any(at, *words):
             found += [((part,), end) for part, end in self.single(last)]
         elif self.text(at) == ",":
             for part, end in self.single(at + 1):
-                found += [((part, *rest), stop) for rest, stop in self._joined(end)]
+                found += [((part, *rest), stop) for rest, stop in self._joined(end, *words)]
         return found
 
     @remembered
@@ -74,7 +75,36 @@ class Phrases(Text):
         found += self._some_of(at)
         found += self._others(at)
         found += self._noun(at)
+        found += self._whichever(at)
+        found += self._that(found)
         return [*found, *self._but(found)]
+
+    def _whichever(self, at: int) -> Iterator[tuple[Phrase, int]]:
+        """ "whichever stack has the blue block in it"."""
+        start = self.past_any(at, "whichever of them", "whichever of the two", "whichever")
+        if not start:
+            return
+        nouns = [(Noun(det="the", noun="one"), start), *self._head(start, Noun(det="the"))]
+        for noun, end in nouns:
+            yield from ((replace(noun, that=said), stop) for said, stop in self.verbs(end))
+
+    def _that(self, found: Ways[Phrase]) -> Iterator[tuple[Phrase, int]]:
+        """ "the tower that has a pink block at the bottom", "those without any white", "the one on the patch"."""
+        for phrase, end in found:
+            noun = _ONES if isinstance(phrase, Pronoun) and phrase.word == "those" else phrase
+            if not isinstance(noun, Noun) or noun.det not in _CHOSEN or noun.of or noun.content or noun.noun == "table":
+                continue
+            if start := self.past_any(end, "that", "which"):
+                yield from ((replace(noun, that=said), stop) for said, stop in self.verbs(start))
+            elif start := self.past_any(end, *_HOLDING):
+                no = self.text(end) == "without"
+                start = self.past_any(start, "any") or start
+                yield from ((replace(noun, that=(Holds(what, no),)), stop) for what, stop in self.single(start))
+                for what, stop in self.single(start):
+                    if not no:
+                        yield from ((replace(noun, that=(Bears(what, where),)), n) for where, n in self.place(stop))
+            else:
+                yield from ((replace(noun, that=(where,)), stop) for where, stop in self.place(end))
 
     def _but(self, found: Ways[Phrase]) -> Iterator[tuple[Phrase, int]]:
         """ "every block of it except the middle one"."""
@@ -102,40 +132,6 @@ class Phrases(Text):
         if det not in {"the", "each"}:
             return []
         return [(noun, end) for noun, end in self._head(at + 1, Noun(det=det))]
-
-    def _labels(self, at: int) -> Iterator[tuple[Phrase, int]]:
-        """ "A", "the cube Q", "the letter K", "the 4 block", "the block numbered 4"."""
-        start = at + 1 if self.text(at) == "the" else at
-        color = lexicon.COLOR.get(self.text(start), "")
-        start += bool(color)
-        said = self.text(start) in _TOLD_BY
-        named = start + said
-        named = (
-            self.past_any(named, "labelled", "labeled", "numbered", "bearing the number", "with the letter") or named
-        )
-        if said and (color or self.items[start].many):
-            return  # "the green cube 3" may be counted; several are told by `phrase`
-        if label := self.label(named):
-            yield Label(label, color), named + 1
-            if not said and self.text(named + 1) == "block" and not self.items[named + 1].many:
-                yield Label(label, color), named + 2
-
-    def label(self, at: int) -> str:
-        """The symbol that a word is, or nothing."""
-        if not 0 <= at < len(self.items):
-            return ""
-        item = self.items[at]
-        if len(item.raw) == 1 and item.raw.isalpha() and (item.raw.isupper() or item.raw not in "ai"):
-            return item.raw.upper()
-        return item.raw if item.raw.isdigit() and len(item.raw) == 1 else ""
-
-    def _amount(self, at: int) -> Iterator[tuple[Noun, int]]:
-        """ "exactly two", "at least one", "three", "half"."""
-        for words, bound, more in BOUNDS:
-            if (end := self.past(at, words)) and self.number(end):
-                yield Noun(bound=bound, count=self.number(end) + more), end + 1
-        if self.number(at):
-            yield Noun(count=self.number(at)), at + 1
 
     def _some_of(self, at: int) -> Iterator[tuple[Phrase, int]]:
         """ "two of the three red blocks", "each of them", "none of the towers", "both of these"."""
@@ -206,43 +202,6 @@ class Phrases(Text):
                 found += self._behind(noun, stop)
         return found
 
-    def _head(self, at: int, noun: Noun) -> Iterator[tuple[Noun, int]]:
-        """Adjectives and a noun; a colour or a rank may stand for one."""
-        item = self.items[at] if at < len(self.items) else None
-        if item is None:
-            return
-        text = item.text
-        if text in lexicon.COLOR and not noun.color:
-            with_color = replace(noun, color=lexicon.COLOR[text], many=item.many)
-            yield with_color, at + 1
-            yield from self._head(at + 1, replace(with_color, many=False))
-        if text in RANK:
-            yield from self._head(at + 1, replace(noun, ranks=(*noun.ranks, RANK[text])))
-            if noun.det == "the" and RANK[text] in {"tall", "short", "former", "latter", "last"}:
-                yield replace(noun, ranks=(*noun.ranks, RANK[text]), noun="one"), at + 1
-        if text in lexicon.ORDINAL and noun.det != "a":
-            nth = lexicon.ORDINAL[text]
-            yield replace(noun, nth=nth, noun="one"), at + 1
-            yield from self._head(at + 1, replace(noun, nth=nth))
-        if text in {"plain", "such", "full", "filled", "more"}:
-            yield from self._head(at + 1, noun)
-        if text == "dims":
-            size = tuple(int(n) for n in item.value.split("x"))
-            yield from self._head(at + 1, replace(noun, size=size))
-        if item.number and self.text(at + 1) in {"block", "high"} and self.text(at + 2) in FIGURE:
-            yield from self._head(at + 2, replace(noun, size=(item.number,)))
-        if item.number and self.text(at + 1) == "by" and (other := self.number(at + 2)):
-            yield from self._head(at + 3, replace(noun, size=(item.number, other)))
-        kind = FIGURE.get(text) or PART.get(text) or ("block" if text == "block" else "") or SYMBOL.get(text, "")
-        kind = kind or ("patch" if text in PATCH else "table" if text in TABLE else "one" if text == "one" else "")
-        if kind:
-            word = self.items[at + 1].value if kind == "word" and at + 1 < len(self.items) else ""
-            yield replace(noun, noun=kind, many=noun.many or item.many, word=word), at + 1 + bool(word)
-            if kind == "block" and self.text(at + 1) in {"tower", "row"} and noun.count:
-                size = (noun.count,)
-                figure = replace(noun, count=0, size=size, noun=self.text(at + 1), many=self.items[at + 1].many)
-                yield figure, at + 2
-
     def _behind(self, noun: Noun, at: int) -> Ways[Phrase]:
         """What stands behind a noun: what it is made of, what it is a part of, how high it is."""
         found: Ways[Phrase] = [(noun, at)]
@@ -255,8 +214,11 @@ class Phrases(Text):
                     found.append((measured, end))
                 made = "of" if self.text(end) in {"of", ",", ":"} else "from"
                 for of, stop in self._content(end):
+                    listed = isinstance(of, Listing)
+                    if isinstance(of, Chain | Listing) and not (measured.det or measured.count or measured.many):
+                        continue  # "stack red on blue" is no stack that is spoken of
                     each = stop + 1 if self.text(stop) == "each" else stop
-                    told = "of" if each > stop or isinstance(of, Listing) else made
+                    told = "each" if each > stop or self.text(end) == "each" else "of" if listed else made
                     full = replace(measured, content=of, made=told)
                     found.append((full, each))
                     found += self._measured(full, each)
@@ -277,81 +239,6 @@ class Phrases(Text):
                 yield told, end
                 yield from ((replace(told, of=whole), stop) for whole, stop in self._whole(end))
 
-    def _content(self, at: int) -> Ways[Phrase]:
-        """ "of three red blocks", ", blue over red", ", one of two red blocks and one of three blue ones"."""
-        found: Ways[Phrase] = []
-        aside = self.text(at) == ","
-        if end := self.past_any(at + aside, *_MADE_OF):
-            if aside:
-                return [(noun, stop + (self.text(stop) == ",")) for noun, stop in self.phrase(end)]
-            found += self.phrase(end)
-            if self.number(end) and self.text(end + 1) != "block":
-                found.append((Noun(count=self.number(end), noun="block", many=True), end + 1))
-        if self.text(at) in {",", ":"}:
-            found += [(chain, end) for chain, end in self.single(at + 1) if isinstance(chain, Chain)]
-            found += self._listing(at + 1)
-            found += self._heights(at + 1)
-        return found
-
-    def _heights(self, at: int) -> Ways[Phrase]:
-        """ "two, three and four blocks high"."""
-        heights: list[int] = []
-        while self.number(at):
-            heights.append(self.number(at))
-            at = self.past_any(at + 1, "and", ",", ", and") or at + 1
-        at += self.text(at) == "block"
-        if len(heights) < 2 or self.text(at) not in {"high", "tall"}:
-            return []
-        return [(Listing(tuple(Noun(count=n, noun="block", many=True) for n in heights)), at + 1)]
-
-    def _listing(self, at: int) -> Ways[Phrase]:
-        """What each of several figures is made of, one after the other."""
-        found: Ways[Phrase] = []
-        for first, end in self._listed(at):
-            following: Ways[tuple[Phrase, ...]] = [((first,), end)]
-            while following:
-                more: Ways[tuple[Phrase, ...]] = []
-                for parts, stop in following:
-                    if len(parts) > 1:
-                        found.append((Listing(parts), stop))
-                    if start := self.past_any(stop, "and", ", and", ",", ";", "; and"):
-                        more += [((*parts, part), last) for part, last in self._listed(start)]
-                following = more
-        return found
-
-    def _listed(self, at: int) -> Ways[Phrase]:
-        """ "one red on blue", "one of three red blocks", "green on yellow"."""
-        found: Ways[Phrase] = [(chain, end) for chain, end in self.single(at) if isinstance(chain, Chain)]
-        if self.text(at) == "one":
-            of = self.past_any(at + 1, "of", "with", "made of", "is", "has")
-            found += [(chain, end) for chain, end in self.single(of or at + 1) if isinstance(chain, Chain)]
-            if of:
-                found += [
-                    (noun, end) for noun, end in self._noun(of) if isinstance(noun, Noun) and noun.noun == "block"
-                ]
-                if self.number(of) and self.text(of + 1) != "block":
-                    found.append((Noun(count=self.number(of), noun="block", many=True), of + 1))
-        return found
-
-    def _measured(self, noun: Noun, at: int) -> Iterator[tuple[Noun, int]]:
-        """ "three high", "three wide and two high", "two blocks high and three wide"."""
-        start = at + (self.text(at) in {",", "which", "that"})
-        sizes: dict[str, int] = {}
-        while True:
-            start += self.text(start) in {"and", "of"} and bool(sizes)
-            if not self.number(start):
-                break
-            end = start + 1 + (self.text(start + 1) == "block")
-            measure = {"high": "high", "tall": "high", "wide": "wide", "long": "wide"}.get(self.text(end))
-            if measure is None:
-                break
-            sizes[measure] = self.number(start)
-            start = end + 1
-        if "high" in sizes and "wide" in sizes:
-            yield replace(noun, size=(sizes["wide"], sizes["high"])), start
-        elif sizes:
-            yield replace(noun, size=tuple(sizes.values())), start
-
     def _whole(self, at: int) -> Ways[Phrase]:
         """ "of the row", "of it": what something is a part of."""
         end = self.past_any(at, "of", "in", "from")
@@ -367,15 +254,15 @@ class Phrases(Text):
         return [(counted, end + 1), *((replace(counted, of=w), stop) for w, stop in self._whole(end + 1))]
 
 
-BOUNDS = [
-    (words.split(), bound, more)
-    for ways, bound, more in (
-        ("exactly|one and only", "exactly", 0), ("at least|no fewer than|not fewer than|no less than", "least", 0),
-        ("at most|no more than|not more than", "most", 0), ("more than", "least", 1), ("fewer than", "most", -1),
-        ("only", "exactly", 0),
-    )
-    for words in ways.split("|")
-]  # fmt: skip
+def _headed(parts: tuple[Phrase, ...]) -> tuple[Phrase, ...]:
+    """ "The red or the blue block": what stands at the last one is said of all of them."""
+    last = parts[-1]
+    if not isinstance(last, Noun) or last.noun not in {"block", "patch"} or last.many or last.det not in {"the", "a"}:
+        return parts
+    bare = [part for part in parts[:-1] if isinstance(part, Noun) and part.color and not part.noun]
+    if len(bare) < len(parts) - 1 or any(part.det not in {last.det, ""} or part.many or part.count for part in bare):
+        return parts
+    return (*(replace(part, det=last.det, noun=last.noun) for part in bare), last)
 
 
 def _labelled(phrase: Phrase, kind: str) -> bool:

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
+from rpg.language.compose.heads import BOUNDS
 from rpg.language.compose.items import RANK
-from rpg.language.compose.phrases import BOUNDS, Phrases
-from rpg.language.compose.syntax import Place
+from rpg.language.compose.phrases import Phrases
+from rpg.language.compose.syntax import Place, Pronoun
 from rpg.language.compose.words import Ways, remembered
 
 _WORDS: dict[str, tuple[str, ...]] = {
@@ -17,7 +18,7 @@ _WORDS: dict[str, tuple[str, ...]] = {
     "right": ("to the right of", "on the right of", "right of", "to right of"),
     "front": ("in front of", "to the front of"),
     "behind": ("behind", "in back of", "at the back of"),
-    "next": ("next to", "beside", "alongside", "by the side of", "right next to"),
+    "next": ("next to", "beside", "alongside", "by the side of"),
     "near": ("near", "close to"),
     "between": ("in between", "between"),
     "touch": ("touching", "against", "in contact with"),
@@ -71,6 +72,9 @@ class Places(Phrases):
         for words, name in BARE:
             if end := self.past(at, words):
                 found.append((Place(name), end))
+        if side := self.past_any(at, "to its", "on its", "at its", "in its"):
+            name = {"left": "left", "right": "right", "front": "front"}.get(self.text(side), "")
+            found += [(Place(name, Pronoun("it")), side + 1 + (self.text(side + 1) == "side"))] if name else []
         found += self._region(at)
         for how, start in self._how(at):
             if how.cm and (end := self.past_any(start, "apart", "apart from each other", "away from each other")):
@@ -84,6 +88,15 @@ class Places(Phrases):
                         for thing, stop in self.phrase(end)
                     ]
         return found
+
+    def shared(self, at: int) -> Ways[Place]:
+        """ "to the left" of "to the left or right of it": what it is to is told behind."""
+        ends = [
+            (end, relation)
+            for words, relation in RELATIONS
+            for end in (self.past(at, words), self.past(at, words[:-1]))
+        ]
+        return [(Place(relation), end) for end, relation in ends if end and self.text(end) in {"or", ","}]
 
     def _region(self, at: int) -> Iterator[tuple[Place, int]]:
         """ "in the left half of the table", "at the far edge of the table"."""

@@ -54,7 +54,7 @@ class Ref:
 
     `each`: what is said is said of each by itself. `bound`: "exactly" or "most" of `ids` and `rest`. `fresh`: they are
     told of for the first time, as some or other ones. `no`: it is said of none of them. `every`: it is said of
-    "all" of them.
+    "all" of them. `either`: they are one of several ways to have it.
     """
 
     kind: str
@@ -65,6 +65,7 @@ class Ref:
     fresh: bool = False
     no: bool = False
     every: bool = False
+    either: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,7 +89,8 @@ class Scene:
 
     `stock`: lots that the text says there are; `whole` is the lot of which some were told apart last, `taken` those.
     `subject` is what something is being said of, `place` the one of a figure that was told last.
-    `pending`: blocks that lie somewhere on others, and it has still to be said on which of them.
+    `pending`: blocks that lie somewhere on others, and it has still to be said on which of them. `script`: which of
+    several ways to have it are taken, one after the other; `choices`: of how many each was one.
     """
 
     blocks: list[Block] = field(default_factory=list)
@@ -106,6 +108,13 @@ class Scene:
     subject: tuple[str, list[int]] | None = None
     place: tuple[Figure, int] | None = None
     pending: list[tuple[list[int], list[int]]] = field(default_factory=list)
+    script: tuple[int, ...] = ()
+    choices: list[int] = field(default_factory=list)
+
+    def choose(self, ways: int) -> int:
+        """Which of so many ways to have it is taken here: the first one, but for what is scripted."""
+        self.choices.append(ways)
+        return self.script[len(self.choices) - 1] if len(self.choices) <= len(self.script) else 0
 
     def new_blocks(self, count: int, color: str = "", label: str = "") -> list[int]:
         """So many further blocks that look alike."""

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import pickle
+from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import partial
 from itertools import pairwise
 
+from rpg.language.compose.items import FIGURES
 from rpg.language.compose.nouns import resolve
 from rpg.language.compose.relating import SIDES, bare, between, in_region, on, place, tops_of
 from rpg.language.compose.scene import Fact, Ref, Scene, Unclear
@@ -13,7 +16,10 @@ from rpg.language.compose.syntax import (
     Bears,
     Chain,
     Clause,
+    Either,
+    Holds,
     Label,
+    Listing,
     Looks,
     Made,
     Noun,
@@ -27,6 +33,9 @@ from rpg.language.compose.syntax import (
 def say(scene: Scene, clause: Clause) -> None:
     """Puts what a clause says into the scene. Raises Unclear where it does not say it clearly."""
     scene.next_clause()
+    if clause.other is not None:
+        _one_or_other(scene, clause)
+        return
     facts, figures = len(scene.facts), len(scene.figures)
     _say(scene, clause)
     if clause.later:
@@ -37,7 +46,40 @@ def say(scene: Scene, clause: Clause) -> None:
         figure.stage = -1 if clause.mood == "start" else scene.stage
 
 
+def _one_or_other(scene: Scene, clause: Clause) -> None:
+    """Either this is so, or something else."""
+    ways = (replace(clause, other=None), clause.other)
+    known = _introduced(scene, [partial(say, clause=way) for way in ways if way])
+    chosen = ways[scene.choose(2)]
+    assert chosen is not None
+    say(scene, chosen)
+    if clause.mood == "start" or len(scene.blocks) > known:
+        raise Unclear
+
+
+def _one_place(scene: Scene, ref: Ref, said: Either) -> None:
+    """It is at one of several places."""
+    known = _introduced(scene, [partial(_said, ref=ref, said=place) for place in said.places])
+    _said(scene, ref, said.places[scene.choose(len(said.places))])
+    if len(scene.blocks) > known:
+        raise Unclear
+
+
+def _introduced(scene: Scene, ways: Sequence[Callable[[Scene], None]]) -> int:
+    """Puts the blocks and patches that any of these tells of into the scene, so that they are there in any case."""
+    told: Scene = pickle.loads(pickle.dumps(scene))
+    told.script, told.choices = (), []
+    figures = [figure for figure in told.figures if not figure.implied]
+    for way in ways:
+        way(told)
+    if told.choices or len([figure for figure in told.figures if not figure.implied]) > len(figures):
+        raise Unclear
+    scene.blocks, scene.patches, scene.lots = told.blocks, told.patches, told.lots
+    return len(scene.blocks)
+
+
 def _say(scene: Scene, clause: Clause) -> None:
+    clause = _told_of_figures(scene, clause)
     subject = clause.subject
     if isinstance(subject, Chain):
         if clause.predicates:
@@ -64,6 +106,8 @@ def _say(scene: Scene, clause: Clause) -> None:
     if not clause.predicates:
         _there_is(scene, ref)
     scene.subject = (ref.kind, ref.ids)
+    if len(clause.predicates) > 1 and any(isinstance(p, Place) and p.how == "immediately" for p in clause.predicates):
+        raise Unclear  # "right next to it, on its left": how near is said of both
     for said in clause.predicates:
         _said(scene, ref, said)
         if isinstance(said, Made) and ref.kind == "block" and scene.figures[-1].kind == "tower":
@@ -71,6 +115,20 @@ def _say(scene: Scene, clause: Clause) -> None:
     scene.subject = None
     if clause.predicates and ref.kind == "block":
         scene.used.update(ref.ids)
+
+
+def _told_of_figures(scene: Scene, clause: Clause) -> Clause:
+    """ "One tower is white on red", "the three stacks are ...": new ones are made of what is told of them."""
+    subject, said = clause.subject, clause.predicates[:1]
+    if not said or not isinstance(said[0], Looks) or not isinstance(said[0].like, Chain | Listing):
+        return clause
+    if not isinstance(subject, Noun) or subject.content is not None or subject.of is not None:
+        raise Unclear
+    if subject.det == "other" and len(scene.figures) == 1 and subject.noun in {"", "one", *FIGURES}:
+        subject = replace(subject, det="another", noun=scene.figures[0].kind)
+    elif subject.noun not in FIGURES or (subject.det not in {"", "a"} and scene.figures):
+        raise Unclear
+    return replace(clause, subject=replace(subject, content=said[0].like, made="of"), predicates=clause.predicates[1:])
 
 
 def _check_subject(scene: Scene, clause: Clause, ref: Ref) -> None:
@@ -197,7 +255,10 @@ def _on_an_end(said: Place) -> bool:
 
 
 def _said(scene: Scene, ref: Ref, said: Predicate) -> None:
-    if isinstance(said, Place) and said.no and (ref.each or ref.no or ref.every):
+    if isinstance(said, Either):
+        _one_place(scene, ref, said)
+        return
+    if isinstance(said, Place) and said.no and (ref.each or ref.no or ref.every or ref.either):
         raise Unclear
     if isinstance(said, Place) and isinstance(said.of, Noun):
         if said.no and said.of.det in {"each", "all", "both", "a", "another", "any"}:
@@ -222,6 +283,8 @@ def _said(scene: Scene, ref: Ref, said: Predicate) -> None:
         _looks(scene, ref, said.like)
     elif isinstance(said, Bears):
         _bears(scene, ref, said)
+    elif isinstance(said, Holds):
+        raise Unclear
     elif said.relation == "region":
         in_region(scene, ref, said)
     elif said.of is None:
@@ -234,6 +297,8 @@ def _said(scene: Scene, ref: Ref, said: Predicate) -> None:
         if isinstance(of, Noun) and of.det == "another":
             raise Unclear
         target = resolve(scene, of)
+        if said.no and target.either:
+            raise Unclear  # on none of them, or not on one
         if target.fresh and target.kind == "block" and (ref.each or len(ref.ids) > len(target.ids)):
             raise Unclear  # one for each, or one for all
         place(scene, ref, target, said)

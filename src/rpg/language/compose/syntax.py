@@ -15,7 +15,7 @@ class Noun:
     `det`: "a", "the", "each", "all", "both", "no", "other", "another", "any", or "" for none. `bound`: "exactly",
     "least" or "most", of `count`. `noun`: "block", "patch", "table", a figure, a part, or "" where it is left out.
     `of`: the whole that it is a part of, or those that it is some of. `content`: what it is made of, told with the word
-    `made`. `but`: those that are left out.
+    `made`. `but`: those that are left out. `that`: what is so of those that are meant, and of no others.
     """
 
     det: str = ""
@@ -32,6 +32,7 @@ class Noun:
     content: Phrase | None = None
     made: str = ""
     but: Phrase | None = None
+    that: tuple[Predicate, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,7 +112,22 @@ class Bears:
     place: Place | None = None
 
 
-Predicate = Place | Made | Looks | Bears
+@dataclass(frozen=True, slots=True)
+class Holds:
+    """What is one of its blocks: "with a red block", "without any white". Told only of those that are meant."""
+
+    what: Phrase
+    no: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Either:
+    """One place or another: "on the patch or next to it"."""
+
+    places: tuple[Place, ...]
+
+
+Predicate = Place | Made | Looks | Bears | Holds | Either
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,6 +136,7 @@ class Clause:
 
     `mood`: "put" and "build" are commands, "so" says that it is so, "must" that it has to be, "there" what there is,
     "start" what is so then. `aside`: what is told between the subject and its verb. `first`, `later`: "first", "then".
+    `other`: what else may be so instead.
     """
 
     subject: Phrase
@@ -128,3 +145,4 @@ class Clause:
     aside: Clause | None = None
     first: bool = False
     later: bool = False
+    other: Clause | None = None

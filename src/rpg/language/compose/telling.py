@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from rpg.blocks.nouns import article, join, number
 from rpg.language import lexicon
 from rpg.language.compose.places_of import columns
@@ -11,14 +13,30 @@ _PALETTE = (*lexicon.RAINBOW, "brown", "black", "gray", "white")
 _MOST = 30
 
 
-def tell(scene: Scene) -> str:
+def tell_all(scenes: Sequence[Scene]) -> str:
+    """What scenes have in common, and what is so in one or another of them."""
+    if not any(scene.facts or scene.figures for scene in scenes):
+        raise Unclear
+    _check_told_of(scenes)
+    if len(scenes) == 1:
+        return " ".join(tell(scenes[0]))
+    ways = list({tuple(tell(scene)): None for scene in scenes})
+    if len({way[0] for way in ways}) > 1 or any(scene.stage for scene in scenes):
+        raise Unclear
+    common = [said for said in ways[0] if all(said in way for way in ways)]
+    rest = [[_small(said).rstrip(".") for said in way if said not in common] for way in ways]
+    if not all(rest):
+        raise Unclear
+    return " ".join([*common, _sentence(f"either {', or '.join(map(' and '.join, rest))}")])
+
+
+def tell(scene: Scene) -> list[str]:
     """All that a scene has, block by block, figure by figure, fact by fact."""
     if scene.pending:
         raise Unclear
     if not scene.blocks or len(scene.blocks) > _MOST or not (scene.facts or scene.figures):
         raise Unclear
     _color_in(scene)
-    _check_told_of(scene)
     figures = [figure for figure in scene.figures if not figure.implied]
     last = max((*(figure.stage for figure in figures), *(fact.stage for fact in scene.facts)), default=0)
     told = {stage: _of_stage(scene, figures, stage) for stage in range(-1, last + 1)}
@@ -31,7 +49,7 @@ def tell(scene: Scene) -> str:
         said += [f"{'Then' if n else 'First'}, {part}." for n, part in enumerate(parts)]
     else:
         said += told[0]
-    return " ".join(dict.fromkeys(said))
+    return list(dict.fromkeys(said))
 
 
 def _check_moved_once(scene: Scene) -> None:
@@ -67,15 +85,16 @@ def _color_in(scene: Scene) -> None:
         patch.color = patch.color or next(c for c in ("gray", *_PALETTE) if c not in patches)
 
 
-def _check_told_of(scene: Scene) -> None:
+def _check_told_of(scenes: Sequence[Scene]) -> None:
     """Of every block something has to be said, unless it is one of a lot of which something is."""
-    told = {n for figure in scene.figures for n in figure.blocks}
-    for fact in scene.facts:
+    told = {n for scene in scenes for figure in scene.figures for n in figure.blocks}
+    for fact in (fact for scene in scenes for fact in scene.facts):
         for ref in (fact.a, fact.b, fact.c):
             if ref is not None and ref.kind == "block":
                 told.update(ref.ids)
-    looks = {scene.blocks[n].look for n in told}
-    if any(block.look not in looks for block in scene.blocks):
+    blocks = scenes[0].blocks
+    looks = {blocks[n].look for n in told if n < len(blocks)}
+    if any(block.look not in looks for block in blocks):
         raise Unclear
 
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterator
+from contextlib import contextmanager
 
 from rpg.ir import goal as g
 from rpg.ir import relations as r
@@ -49,10 +50,13 @@ def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
     pairs = _given_first(chain)
     before: Clause | None = None
     for (link, clause), after in zip(pairs, [*(link for link, _ in pairs[1:]), ""], strict=True):
-        if isinstance(clause, Chain):
-            _append(stages, link, [conj(chain_goals(clause, scene, start))], scene)
+        if not isinstance(clause, Chain | Clause):
             continue
-        if not isinstance(clause, Clause):
+        towers, free = (Towers.of(scene), {*scene.used}) if link != "or" else (towers, free)
+        if isinstance(clause, Chain):
+            with _instead(link, towers, free, scene):
+                goals = chain_goals(clause, scene, start)
+            _append(stages, link, [conj(goals)], scene)
             continue
         clause = _begun(clause, _lying(chain))
         both = [m for m in clause.adjuncts if isinstance(m, Manner) and m.kind == "xor"] if link == "or" else []
@@ -60,16 +64,9 @@ def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
         starts = start or clause.mode in ("start", "given")
         one_or_all(clause, before)
         before = clause
-        towers, free = (Towers.of(scene), {*scene.used}) if link != "or" else (towers, free)
-        used = {*scene.used}
-        if link == "or":
-            towers.after(scene, start=False, denied=True)
-            scene.used = {*free}  # of a stock, each alternative may take the same ones
         loose, scene.later = len(scene.loose), later or link == "then"
-        goals = clause_goals(clause, scene, starts)
-        if link == "or":
-            towers.after(scene, start=False, denied=True)
-            scene.used |= used
+        with _instead(link, towers, free, scene):
+            goals = clause_goals(clause, scene, starts)
         goals = [x for x in goals if not (isinstance(x, g.All) and not x.goals)]
         at_their_times((link, after), goals, loose, scene)
         if clause.mode == "given" and "before" in (link, after):
@@ -88,6 +85,20 @@ def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
         if both:
             stages[-1] = [*stages[-1][:-1], *not_both(stages[-1][-1:], clause.span)]
     return _sequence(stages, scene, chain)
+
+
+@contextmanager
+def _instead(link: str, towers: Towers, free: set[str], scene: Scene) -> Iterator[None]:
+    """What "or" tells stands for itself: nothing of what it is told instead of is so, and it leaves nothing behind."""
+    if link != "or":
+        yield
+        return
+    used = {*scene.used}
+    towers.after(scene, start=False, denied=True)
+    scene.used = {*free}  # of a stock, each alternative may take the same ones
+    yield
+    towers.after(scene, start=False, denied=True)
+    scene.used |= used
 
 
 def _check_sides(chain: Chain) -> None:

@@ -1,0 +1,140 @@
+"""Those of several of which something is so: "the tower that has a pink block at the bottom", "those without white"."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from rpg.language.compose.figures import ALL, figure_fits
+from rpg.language.compose.items import FIGURES
+from rpg.language.compose.places_of import places
+from rpg.language.compose.scene import Fact, Ref, Scene, Unclear
+from rpg.language.compose.syntax import Bears, Chain, Holds, Looks, Noun, Phrase, Place, Predicate, Pronoun
+
+Resolve = Callable[[Scene, Phrase], Ref]
+SIDES = {"left": "to the left of", "right": "to the right of", "front": "in front of", "behind": "behind"}
+"""How facts tell sides."""
+
+
+def chosen(scene: Scene, noun: Noun, resolve: Resolve) -> Ref:
+    """The blocks, figures or patches of which all this was told.
+
+    Raises Unclear where it was told of none, of more than are spoken of, or of things of several kinds.
+    """
+    found = [(kind, n) for kind, n in _candidates(scene, replace(noun, that=()))]
+    for said in noun.that:
+        found = [one for one in found if _so(scene, *one, said, resolve)]
+    kinds = {kind for kind, _ in found}
+    if len(kinds) != 1:
+        raise Unclear
+    ids = [n for _, n in found]
+    many = noun.many or noun.det in ALL
+    if (not many and len(ids) > 1) or (noun.count and noun.count != len(ids)):
+        raise Unclear
+    return Ref(kinds.pop(), ids, each=noun.det == "each")
+
+
+def _candidates(scene: Scene, noun: Noun) -> list[tuple[str, int]]:
+    """What is told of that the phrase may stand for, were it not for what is so of it."""
+    if noun.ranks or noun.nth or noun.of is not None or noun.size:
+        raise Unclear
+    found: list[tuple[str, int]] = []
+    if noun.noun in FIGURES | {"one"}:
+        found += [("figure", n) for n, figure in enumerate(scene.figures) if figure_fits(scene, figure, noun)]
+    if noun.noun in {"block", "one", ""}:
+        found += [("block", n) for n, block in enumerate(scene.blocks) if noun.color in {"", block.color}]
+    if noun.noun in {"patch", "one"}:
+        found += [("patch", n) for n, patch in enumerate(scene.patches) if noun.color in {"", patch.color}]
+    return found
+
+
+def _so(scene: Scene, kind: str, n: int, said: Predicate, resolve: Resolve) -> bool:
+    """Whether something was told of one of them."""
+    if isinstance(said, Holds):
+        return kind == "figure" and _holds(scene, n, said.what) != said.no
+    if isinstance(said, Bears):
+        return _bears(scene, kind, n, said)
+    if isinstance(said, Looks):
+        return _looks(scene, kind, n, said.like)
+    if isinstance(said, Place) and not said.no and not said.cm:
+        return _stands(scene, kind, n, said, resolve)
+    raise Unclear
+
+
+def _holds(scene: Scene, n: int, what: Phrase) -> bool:
+    """Whether some of the blocks of a figure look so, or whether it has so many."""
+    blocks = [scene.blocks[m] for m in scene.figures[n].blocks]
+    if not isinstance(what, Noun) or what.noun not in {"", "block", "one"} or what.ranks or what.of or what.nth:
+        raise Unclear
+    if what.color:
+        if any(not block.color for block in blocks) or what.count > 1 or what.bound:
+            raise Unclear
+        return any(block.color == what.color for block in blocks)
+    if not what.count:
+        raise Unclear
+    many = len(blocks)
+    return {"least": many >= what.count, "most": many <= what.count}.get(what.bound, many == what.count)
+
+
+def _bears(scene: Scene, kind: str, n: int, said: Bears) -> bool:
+    """Whether it has such a block, at a place of it if that is told, or carries it."""
+    if said.what is None:
+        raise Unclear
+    if kind != "figure":
+        return False  # what lies on a block is told in other words
+    where = said.place
+    if where is None or (where.relation == "in" and isinstance(where.of, Pronoun)):
+        return _holds(scene, n, said.what)
+    if where.of is None and where.relation in {"top", "bottom", "middle", "left", "right"}:
+        figure = scene.figures[n]
+        at = places(figure, (where.relation,))
+        blocks = [scene.blocks[m] for m in figure.blocks]
+        if not figure.told and not scene.alike(figure.blocks):
+            raise Unclear
+        if not isinstance(said.what, Noun) or not said.what.color or len(at) != 1:
+            raise Unclear
+        return blocks[at[0]].color == said.what.color
+    raise Unclear
+
+
+def _looks(scene: Scene, kind: str, n: int, like: Phrase) -> bool:
+    """Whether it is of a colour, or told so from top to bottom."""
+    if isinstance(like, Chain) and kind == "figure" and scene.figures[n].told:
+        colors = [part.color if isinstance(part, Noun) else "" for part in reversed(like.parts)]
+        return [scene.blocks[m].color for m in scene.figures[n].blocks] == colors
+    if not isinstance(like, Noun) or not like.color or like.count > 1 or kind == "patch":
+        raise Unclear
+    blocks = scene.figures[n].blocks if kind == "figure" else [n]
+    return {scene.blocks[m].color for m in blocks} == {like.color}
+
+
+def _stands(scene: Scene, kind: str, n: int, said: Place, resolve: Resolve) -> bool:
+    """Whether it was told to stand there."""
+    if said.of is None or said.how in {"somewhere", "directly", "immediately"}:
+        raise Unclear
+    before = (len(scene.blocks), len(scene.figures), len(scene.patches))
+    here = list(scene.here)
+    target = resolve(scene, said.of)
+    scene.here = here  # that which is meant is spoken of, not where it stands
+    if (len(scene.blocks), len(scene.figures), len(scene.patches)) != before:
+        raise Unclear  # nothing was told of this yet
+    if len(target.ids) != 1 or target.bound or target.no:
+        raise Unclear
+    return any(_tells(scene, fact, kind, n, said.relation, target) for fact in scene.facts if not fact.no)
+
+
+def _tells(scene: Scene, fact: Fact, kind: str, n: int, relation: str, target: Ref) -> bool:
+    """Whether a fact is that this is there."""
+    if fact.b is None or fact.b.kind != target.kind or fact.b.ids != target.ids or fact.c is not None:
+        return False
+    if relation in SIDES:
+        return fact.said == SIDES[relation] and fact.a.kind == kind and fact.a.ids == [n]
+    if relation in {"on", "in"} and target.kind == "patch":
+        blocks = scene.figures[n].blocks if kind == "figure" else [n]
+        own = kind == "figure" or scene.figure_of(n) is None
+        return fact.said == "patch" and own and kind != "patch" and set(blocks) <= set(fact.a.ids)
+    if relation == "on":
+        return fact.said == "on" and kind == "block" and fact.a.ids == [n]
+    if relation == "next":
+        return fact.said == "next to" and fact.a.kind == kind and fact.a.ids == [n]
+    return False

@@ -1,0 +1,98 @@
+"""Numbers, labels, adjectives and nouns: what noun phrases are put together from."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from rpg.language import lexicon
+from rpg.language.compose.items import FIGURE, PART, PATCH, RANK, SYMBOL, TABLE
+from rpg.language.compose.syntax import Label, Noun, Phrase
+from rpg.language.compose.words import Text
+
+TOLD_BY = frozenset({"block", *SYMBOL})
+"""What stands ahead of a symbol: "the cube Q", "the letters A and B"."""
+BOUNDS = [
+    (words.split(), bound, more)
+    for ways, bound, more in (
+        ("exactly|one and only", "exactly", 0), ("at least|no fewer than|not fewer than|no less than", "least", 0),
+        ("at most|no more than|not more than", "most", 0), ("more than", "least", 1), ("fewer than", "most", -1),
+        ("only", "exactly", 0),
+    )
+    for words in ways.split("|")
+]  # fmt: skip
+
+
+class Heads(Text):
+    """Reads the nouns of phrases, without what stands behind them."""
+
+    def _labels(self, at: int) -> Iterator[tuple[Phrase, int]]:
+        """ "A", "the cube Q", "the letter K", "the 4 block", "the block numbered 4"."""
+        start = at + 1 if self.text(at) == "the" else at
+        color = lexicon.COLOR.get(self.text(start), "")
+        start += bool(color)
+        said = self.text(start) in TOLD_BY
+        named = start + said
+        named = (
+            self.past_any(named, "labelled", "labeled", "numbered", "bearing the number", "with the letter") or named
+        )
+        if said and (color or self.items[start].many):
+            return  # "the green cube 3" may be counted; several are told by `phrase`
+        if label := self.label(named):
+            yield Label(label, color), named + 1
+            if not said and self.text(named + 1) == "block" and not self.items[named + 1].many:
+                yield Label(label, color), named + 2
+
+    def label(self, at: int) -> str:
+        """The symbol that a word is, or nothing."""
+        if not 0 <= at < len(self.items):
+            return ""
+        item = self.items[at]
+        if len(item.raw) == 1 and item.raw.isalpha() and (item.raw.isupper() or item.raw not in "ai"):
+            return item.raw.upper()
+        return item.raw if item.raw.isdigit() and len(item.raw) == 1 else ""
+
+    def _amount(self, at: int) -> Iterator[tuple[Noun, int]]:
+        """ "exactly two", "at least one", "three", "half"."""
+        for words, bound, more in BOUNDS:
+            if (end := self.past(at, words)) and self.number(end):
+                yield Noun(bound=bound, count=self.number(end) + more), end + 1
+        if self.number(at):
+            yield Noun(count=self.number(at)), at + 1
+
+    def _head(self, at: int, noun: Noun) -> Iterator[tuple[Noun, int]]:
+        """Adjectives and a noun; a colour or a rank may stand for one."""
+        item = self.items[at] if at < len(self.items) else None
+        if item is None:
+            return
+        text = item.text
+        if text in lexicon.COLOR and not noun.color:
+            with_color = replace(noun, color=lexicon.COLOR[text], many=item.many)
+            yield with_color, at + 1
+            yield from self._head(at + 1, replace(with_color, many=False))
+        if text in RANK:
+            yield from self._head(at + 1, replace(noun, ranks=(*noun.ranks, RANK[text])))
+            if noun.det == "the" and RANK[text] in {"tall", "short", "former", "latter", "last"}:
+                yield replace(noun, ranks=(*noun.ranks, RANK[text]), noun="one"), at + 1
+        if text in lexicon.ORDINAL and noun.det != "a":
+            nth = lexicon.ORDINAL[text]
+            yield replace(noun, nth=nth, noun="one"), at + 1
+            yield from self._head(at + 1, replace(noun, nth=nth))
+        if text in {"plain", "such", "full", "filled", "more"}:
+            yield from self._head(at + 1, noun)
+        if text == "dims":
+            size = tuple(int(n) for n in item.value.split("x"))
+            yield from self._head(at + 1, replace(noun, size=size))
+        if item.number and self.text(at + 1) in {"block", "high"} and self.text(at + 2) in FIGURE:
+            yield from self._head(at + 2, replace(noun, size=(item.number,)))
+        if item.number and self.text(at + 1) == "by" and (other := self.number(at + 2)):
+            yield from self._head(at + 3, replace(noun, size=(item.number, other)))
+        kind = FIGURE.get(text) or PART.get(text) or ("block" if text == "block" else "") or SYMBOL.get(text, "")
+        kind = kind or ("patch" if text in PATCH else "table" if text in TABLE else "one" if text == "one" else "")
+        if kind:
+            word = self.items[at + 1].value if kind == "word" and at + 1 < len(self.items) else ""
+            yield replace(noun, noun=kind, many=noun.many or item.many, word=word), at + 1 + bool(word)
+            if kind == "block" and self.text(at + 1) in {"tower", "row"} and noun.count:
+                size = (noun.count,)
+                figure = replace(noun, count=0, size=size, noun=self.text(at + 1), many=self.items[at + 1].many)
+                yield figure, at + 2

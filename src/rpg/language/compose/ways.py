@@ -1,0 +1,80 @@
+"""The ways to read a whole text, clause by clause: one that makes no sense is not gone on with."""
+
+from __future__ import annotations
+
+import pickle
+from collections.abc import Iterator
+from contextlib import suppress
+from dataclasses import replace
+
+from rpg.language.compose.clauses import Reader, Step, several
+from rpg.language.compose.scene import Scene, Unclear
+from rpg.language.compose.statements import say
+from rpg.language.compose.syntax import Clause, Made
+
+_MOST = 300
+"""So many ways to read a text are looked at; one with more of them is not read."""
+_MOST_SCENES = 6
+"""So many ways to have what is said are told."""
+_MOST_CLAUSES = 2000
+"""So many clauses are tried for it."""
+
+
+class TooMany(Exception):
+    """There are more ways to read a text than are looked at."""
+
+
+def readings(reader: Reader) -> Iterator[tuple[tuple[Clause, ...], list[Scene]]]:
+    """Each way to read the text that makes sense, and what is told of then: a scene for each way to have it.
+
+    Raises TooMany where there are more of them than are looked at.
+    """
+    tried = found = 0
+    begun: list[tuple[tuple[Clause, ...], list[bytes], Step | None]] = [((), [pickle.dumps(Scene())], None)]
+    while begun:
+        way, told, last = begun.pop()
+        steps = reader.steps(last.at, said=last.said) if last else reader.steps(0)
+        for step in reversed(list(steps)):
+            tried += 1
+            clause = _behind(last, step.clause) if last else step.clause
+            with suppress(Unclear):
+                scenes = [scene for before in told for scene in _said(before, clause)]
+                if len(scenes) > _MOST_SCENES:
+                    raise Unclear
+                if step.at < len(reader.items):
+                    begun.append(((*way, clause), list(map(pickle.dumps, scenes)), step._replace(clause=clause)))
+                elif not step.later:
+                    found += 1
+                    yield (*way, clause), scenes
+            if tried > _MOST_CLAUSES or found > _MOST:
+                raise TooMany
+
+
+def _said(told: bytes, clause: Clause) -> list[Scene]:
+    """The scenes behind a clause: one for each way to have what it says."""
+    scenes: list[Scene] = []
+    scripts: list[tuple[int, ...]] = [()]
+    while scripts:
+        script = scripts.pop()
+        scene: Scene = pickle.loads(told)
+        scene.script = script
+        say(scene, clause)
+        taken = (*script, *(0 for _ in scene.choices[len(script) :]))
+        for n in range(len(script), len(scene.choices)):
+            scripts += [(*taken[:n], other) for other in range(1, scene.choices[n])]
+        scene.script, scene.choices = (), []
+        scenes.append(scene)
+        if len(scenes) > _MOST_SCENES:
+            raise Unclear
+    return scenes
+
+
+def _behind(last: Step, clause: Clause) -> Clause:
+    """A clause behind another one: it may be of later, or have its verb."""
+    clause = replace(clause, later=last.later or clause.later)
+    if not last.joined or clause.mood or not clause.predicates or last.clause.mood != "put":
+        return clause
+    stacked = last.clause.predicates[:1]
+    if not isinstance(stacked[0], Made) or not several(clause.subject):
+        stacked = ()
+    return replace(clause, mood="put", predicates=(*stacked, *clause.predicates))

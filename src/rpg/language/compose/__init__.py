@@ -14,8 +14,9 @@ from contextlib import suppress
 
 from rpg.language.compose.clauses import Reader
 from rpg.language.compose.in_time import check_in_time
-from rpg.language.compose.items import items_of
+from rpg.language.compose.items import Item, items_of
 from rpg.language.compose.scene import Unclear
+from rpg.language.compose.syntax import Clause, Looks
 from rpg.language.compose.telling import tell_all
 from rpg.language.compose.ways import TooMany, readings
 from rpg.language.frames.retelling import standing
@@ -34,12 +35,33 @@ def meanings(tokens: Sequence[Token]) -> list[str]:
     items = items_of(tokens)
     if not items:
         return []
+    return _told(items) or _told(_told_last(items), ahead=True)
+
+
+def _told(items: Sequence[Item], *, ahead: bool = False) -> list[str]:
+    """`ahead`: what the first clause tells stood at the end of the text, where only what there is is told."""
     found: dict[str, None] = {}
     try:
-        for way, scenes in readings(Reader(items)):
+        for way, scenes in readings(Reader(items)) if items else ():
+            if ahead and way[0].mood not in {"there", "start"} and not _defines(way[0]):
+                continue
             with suppress(Unclear):
                 check_in_time(way)
                 found[tell_all(scenes)] = None
     except TooMany:
         return []
     return list(found)
+
+
+def _told_last(items: Sequence[Item]) -> list[Item]:
+    """The last sentence ahead of all others; nothing where there is only one."""
+    stops = [n for n, item in enumerate(items[:-1]) if item.text in {".", ";"}]
+    if not stops:
+        return []
+    last = [item for item in items[stops[-1] + 1 :] if item.text not in {".", "!"}]
+    return [*last, items[stops[-1]], *items[: stops[-1]]]
+
+
+def _defines(clause: Clause) -> bool:
+    """Whether it tells what things look like that are spoken of: "the two towers are red on blue and green on red"."""
+    return bool(clause.predicates) and all(isinstance(said, Looks) for said in clause.predicates)

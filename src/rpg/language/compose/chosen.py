@@ -9,7 +9,7 @@ from rpg.language.compose.figures import ALL, figure_fits
 from rpg.language.compose.items import FIGURES
 from rpg.language.compose.places_of import places
 from rpg.language.compose.scene import Fact, Ref, Scene, Unclear
-from rpg.language.compose.syntax import Bears, Chain, Holds, Looks, Noun, Phrase, Place, Predicate, Pronoun
+from rpg.language.compose.syntax import Bears, Chain, Holding, Holds, Looks, Noun, Phrase, Place, Predicate, Pronoun
 
 Resolve = Callable[[Scene, Phrase], Ref]
 SIDES = {"left": "to the left of", "right": "to the right of", "front": "in front of", "behind": "behind"}
@@ -36,8 +36,10 @@ def chosen(scene: Scene, noun: Noun, resolve: Resolve) -> Ref:
 
 def _candidates(scene: Scene, noun: Noun) -> list[tuple[str, int]]:
     """What is told of that the phrase may stand for, were it not for what is so of it."""
-    if noun.ranks or noun.nth or noun.of is not None or noun.size:
+    if noun.ranks or noun.nth or noun.size or (noun.of is not None and noun.of != Pronoun("them")):
         raise Unclear
+    if noun.of is not None:  # of those that were told of together
+        return [("block", n) for n in scene.whole]
     found: list[tuple[str, int]] = []
     if noun.noun in FIGURES | {"one"}:
         found += [("figure", n) for n, figure in enumerate(scene.figures) if figure_fits(scene, figure, noun)]
@@ -58,6 +60,11 @@ def _so(scene: Scene, kind: str, n: int, said: Predicate, resolve: Resolve) -> b
         return _looks(scene, kind, n, said.like)
     if isinstance(said, Place) and not said.no and not said.cm:
         return _stands(scene, kind, n, said, resolve)
+    if isinstance(said, Holding):
+        what = _known(scene, said.what, resolve)
+        facts = [fact for fact in scene.facts if not fact.no]
+        there = any(_tells(fact, what.kind, what.ids[0], said.relation, Ref(kind, [n]), scene) for fact in facts)
+        return there != said.no
     raise Unclear
 
 
@@ -112,18 +119,24 @@ def _stands(scene: Scene, kind: str, n: int, said: Place, resolve: Resolve) -> b
     """Whether it was told to stand there."""
     if said.of is None or said.how in {"somewhere", "directly", "immediately"}:
         raise Unclear
+    target = _known(scene, said.of, resolve)
+    return any(_tells(fact, kind, n, said.relation, target, scene) for fact in scene.facts if not fact.no)
+
+
+def _known(scene: Scene, phrase: Phrase, resolve: Resolve) -> Ref:
+    """One thing that was told of before."""
     before = (len(scene.blocks), len(scene.figures), len(scene.patches))
     here = list(scene.here)
-    target = resolve(scene, said.of)
-    scene.here = here  # that which is meant is spoken of, not where it stands
+    found = resolve(scene, phrase)
+    scene.here = here  # that which is meant is spoken of, not this
     if (len(scene.blocks), len(scene.figures), len(scene.patches)) != before:
-        raise Unclear  # nothing was told of this yet
-    if len(target.ids) != 1 or target.bound or target.no:
         raise Unclear
-    return any(_tells(scene, fact, kind, n, said.relation, target) for fact in scene.facts if not fact.no)
+    if len(found.ids) != 1 or found.bound or found.no or found.either:
+        raise Unclear
+    return found
 
 
-def _tells(scene: Scene, fact: Fact, kind: str, n: int, relation: str, target: Ref) -> bool:
+def _tells(fact: Fact, kind: str, n: int, relation: str, target: Ref, scene: Scene) -> bool:
     """Whether a fact is that this is there."""
     if fact.b is None or fact.b.kind != target.kind or fact.b.ids != target.ids or fact.c is not None:
         return False

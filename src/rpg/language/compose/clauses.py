@@ -14,6 +14,7 @@ from rpg.language.compose.syntax import (
     Chain,
     Clause,
     Either,
+    Holds,
     Label,
     Looks,
     Made,
@@ -351,6 +352,8 @@ class Reader(Places):
             for what, stop in self.phrase(end):
                 found.append(((Bears(what),), stop))
                 found += self._borne(what, stop)
+        if (end := self.past_any(start, "contain", "contains", "include", "includes")) and not denied:
+            found += [((Holds(what),), stop) for what, stop in self.single(end)]
         if end := self.past_any(start, "touch", "touches", "touching"):
             found += [((Place("touch", of, no=denied),), stop) for of, stop in self.phrase(end)]
             if each := self.past_any(end, "each other", "one another"):

@@ -21,6 +21,26 @@ BOUNDS = [
     )
     for words in ways.split("|")
 ]  # fmt: skip
+_RELATIONS: dict[str, tuple[str, ...]] = {
+    "on": ("on top of", "atop", "on to", "onto", "upon", "on"),
+    "under": ("under", "underneath", "beneath", "below"),
+    "left": ("to the left of", "on the left of", "left of", "to left of"),
+    "right": ("to the right of", "on the right of", "right of", "to right of"),
+    "front": ("in front of", "to the front of"),
+    "behind": ("behind", "in back of", "at the back of"),
+    "next": ("next to", "beside", "alongside", "by the side of"),
+    "near": ("near", "close to"),
+    "between": ("in between", "between"),
+    "touch": ("touching", "against", "in contact with"),
+    "apart": ("away from", "from"),
+    "far": ("far from", "far away from", "well away from"),
+    "off": ("off of", "off", "outside of", "outside", "not on"),
+    "in": ("inside of", "inside", "within", "into", "in", "at", "to"),
+    "opposite": ("at the other end of",),
+}
+RELATIONS = sorted(
+    ((words.split(), relation) for relation, ways in _RELATIONS.items() for words in ways), key=lambda way: -len(way[0])
+)
 
 
 class Heads(Text):

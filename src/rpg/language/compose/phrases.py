@@ -7,9 +7,21 @@ from dataclasses import replace
 
 from rpg.language import lexicon
 from rpg.language.compose.contents import Contents
-from rpg.language.compose.heads import TOLD_BY
+from rpg.language.compose.heads import RELATIONS, TOLD_BY
 from rpg.language.compose.items import FIGURES, PARTS, RANK, SYMBOL
-from rpg.language.compose.syntax import Bears, Both, Chain, Holds, Label, Listing, Noun, Phrase, Pronoun
+from rpg.language.compose.syntax import (
+    Bears,
+    Both,
+    Chain,
+    Holding,
+    Holds,
+    Label,
+    Listing,
+    Noun,
+    Phrase,
+    Predicate,
+    Pronoun,
+)
 from rpg.language.compose.words import Ways, remembered
 
 _PRONOUNS = frozenset({"it", "they", "them", "this", "that", "these", "those", "both"})
@@ -80,13 +92,24 @@ class Phrases(Contents):
         return [*found, *self._but(found)]
 
     def _whichever(self, at: int) -> Iterator[tuple[Phrase, int]]:
-        """ "whichever stack has the blue block in it"."""
-        start = self.past_any(at, "whichever of them", "whichever of the two", "whichever")
+        """ "whichever stack has the blue block in it", "whichever of the two A is not on"."""
+        start = self.past_any(at, "whichever", "whichever one")
         if not start:
             return
-        nouns = [(Noun(det="the", noun="one"), start), *self._head(start, Noun(det="the"))]
+        one = Noun(det="the", noun="one")
+        nouns = [(one, start), *self._head(start, Noun(det="the"))]
+        if end := self.past_any(start, *(f"of {them}" for them in ("them", "these", "those", "those two", "the two"))):
+            nouns = [(replace(one, of=Pronoun("them")), end)]
         for noun, end in nouns:
-            yield from ((replace(noun, that=said), stop) for said, stop in self.verbs(end))
+            yield from ((replace(noun, that=said), stop) for said, stop in [*self.verbs(end), *self._held(end)])
+
+    def _held(self, at: int) -> Iterator[tuple[tuple[Predicate, ...], int]]:
+        """ "green is not on": what stands behind a thing that something else is at."""
+        for what, end in self.single(at):
+            if start := self.past_any(end, "is", "are", "is not", "are not", "sits", "stands", "lies"):
+                for words, relation in RELATIONS:
+                    if stop := self.past(start, words):
+                        yield (Holding(what, relation, no=self.text(start - 1) == "not"),), stop
 
     def _that(self, found: Ways[Phrase]) -> Iterator[tuple[Phrase, int]]:
         """ "the tower that has a pink block at the bottom", "those without any white", "the one on the patch"."""
@@ -95,7 +118,8 @@ class Phrases(Contents):
             if not isinstance(noun, Noun) or noun.det not in _CHOSEN or noun.of or noun.content or noun.noun == "table":
                 continue
             if start := self.past_any(end, "that", "which"):
-                yield from ((replace(noun, that=said), stop) for said, stop in self.verbs(start))
+                said = [*self.verbs(start), *self._held(start)]
+                yield from ((replace(noun, that=one), stop) for one, stop in said)
             elif start := self.past_any(end, *_HOLDING):
                 no = self.text(end) == "without"
                 start = self.past_any(start, "any") or start

@@ -5,32 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from rpg.language.compose.heads import BOUNDS
+from rpg.language.compose.heads import BOUNDS, RELATIONS
 from rpg.language.compose.items import RANK
 from rpg.language.compose.phrases import Phrases
 from rpg.language.compose.syntax import Place, Pronoun
 from rpg.language.compose.words import Ways, remembered
 
-_WORDS: dict[str, tuple[str, ...]] = {
-    "on": ("on top of", "atop", "on to", "onto", "upon", "on"),
-    "under": ("under", "underneath", "beneath", "below"),
-    "left": ("to the left of", "on the left of", "left of", "to left of"),
-    "right": ("to the right of", "on the right of", "right of", "to right of"),
-    "front": ("in front of", "to the front of"),
-    "behind": ("behind", "in back of", "at the back of"),
-    "next": ("next to", "beside", "alongside", "by the side of"),
-    "near": ("near", "close to"),
-    "between": ("in between", "between"),
-    "touch": ("touching", "against", "in contact with"),
-    "apart": ("away from", "from"),
-    "far": ("far from", "far away from", "well away from"),
-    "off": ("off of", "off", "outside of", "outside", "not on"),
-    "in": ("inside of", "inside", "within", "into", "in", "at", "to"),
-    "opposite": ("at the other end of",),
-}
-RELATIONS = sorted(
-    ((words.split(), relation) for relation, ways in _WORDS.items() for words in ways), key=lambda way: -len(way[0])
-)
 _BARE: dict[str, tuple[str, ...]] = {
     "top": ("on top", "on the top", "at the top", "at the very top", "on the very top"),
     "bottom": ("at the bottom", "on the bottom", "below"),

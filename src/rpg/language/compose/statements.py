@@ -17,6 +17,7 @@ from rpg.language.compose.syntax import (
     Chain,
     Clause,
     Either,
+    Holding,
     Holds,
     Label,
     Listing,
@@ -126,7 +127,11 @@ def _told_of_figures(scene: Scene, clause: Clause) -> Clause:
         raise Unclear
     if subject.det == "other" and len(scene.figures) == 1 and subject.noun in {"", "one", *FIGURES}:
         subject = replace(subject, det="another", noun=scene.figures[0].kind)
-    elif subject.noun not in FIGURES or (subject.det not in {"", "a"} and scene.figures):
+    elif (
+        subject.noun not in FIGURES
+        or not (subject.det or subject.count or subject.many)
+        or (subject.det not in {"", "a"} and scene.figures)
+    ):
         raise Unclear
     return replace(clause, subject=replace(subject, content=said[0].like, made="of"), predicates=clause.predicates[1:])
 
@@ -283,7 +288,7 @@ def _said(scene: Scene, ref: Ref, said: Predicate) -> None:
         _looks(scene, ref, said.like)
     elif isinstance(said, Bears):
         _bears(scene, ref, said)
-    elif isinstance(said, Holds):
+    elif isinstance(said, Holds | Holding):
         raise Unclear
     elif said.relation == "region":
         in_region(scene, ref, said)

@@ -127,7 +127,16 @@ class Either:
     places: tuple[Place, ...]
 
 
-Predicate = Place | Made | Looks | Bears | Holds | Either
+@dataclass(frozen=True, slots=True)
+class Holding:
+    """What something else is at: "the block that A is not on". Told only of those that are meant."""
+
+    what: Phrase
+    relation: str
+    no: bool = False
+
+
+Predicate = Place | Made | Looks | Bears | Holds | Holding | Either
 
 
 @dataclass(frozen=True, slots=True)

@@ -24,7 +24,7 @@ CASES: dict[str, dict[str, Any]] = {
         "hold": ["blue^red white green^yellow", "green^yellow white blue^red"],
         "miss": ["blue^red green^yellow white", "red^blue white green^yellow", "blue^red ; green^yellow ; white"],
     },
-    "The A belongs on the red or the blue cube, and the B on the other one.": {
+    "The A belongs on the red or the blue cube, and the B on whichever of those two the A is not on.": {
         "assets": {"A": 1, "B": 1, "red": 1, "blue": 1},
         "hold": ["red^A blue^B", "red^B blue^A"],
         "miss": ["red^A^B blue", "A^red B^blue", "red^A blue B", "red blue^A^B"],
@@ -38,6 +38,21 @@ CASES: dict[str, dict[str, Any]] = {
         "assets": {"red": 1, "blue": 1, "green": 1, "yellow": 1, "white": 1},
         "hold": ["blue^red . . . yellow^green white"],
         "miss": ["white blue^red . . . yellow^green", "blue^red . . . green^yellow white"],
+    },
+    "Two red and two blue blocks form a row, and neither of the red ones may be at an end of it.": {
+        "assets": {"red": 2, "blue": 2},
+        "hold": ["blue red red blue"],
+        "miss": ["red blue blue red", "blue red blue red", "blue^red red blue"],
+    },
+    "B, C and D form a tower to the right of A; the D is neither at its top nor at its bottom.": {
+        "assets": {"A": 1, "B": 1, "C": 1, "D": 1},
+        "hold": ["A B^D^C", "A C^D^B"],
+        "miss": ["A B^C^D", "A D^B^C", "B^D^C A", "A B^D C"],
+    },
+    "Form a row of the yellow, cyan and brown blocks in any order and put the pink cube on the one in the middle.": {
+        "assets": {"yellow": 1, "cyan": 1, "brown": 1, "pink": 1},
+        "hold": ["yellow cyan^pink brown", "cyan brown^pink yellow"],
+        "miss": ["yellow^pink cyan brown", "yellow cyan brown^pink", "yellow cyan brown"],
     },
 }
 

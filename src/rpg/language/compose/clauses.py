@@ -7,14 +7,10 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from rpg.language import lexicon
-from rpg.language.compose.items import FIGURES, RANK
-from rpg.language.compose.places import Places
+from rpg.language.compose.items import FIGURES
 from rpg.language.compose.syntax import (
     Bears,
-    Chain,
     Clause,
-    Either,
-    Holds,
     Label,
     Looks,
     Made,
@@ -23,7 +19,9 @@ from rpg.language.compose.syntax import (
     Place,
     Predicate,
     Pronoun,
+    is_figure,
 )
+from rpg.language.compose.verbs import AUX, Verbs, opposite_of
 from rpg.language.compose.words import Ways, remembered
 
 _LEADS = (
@@ -50,6 +48,7 @@ _LINED = (
 )  # fmt: skip
 _STACK = frozenset({"stack", "pile"})
 _TOWER = Noun(det="a", noun="tower")
+_ROW = Noun(det="a", noun="row")
 _INTO = ("as", "in", "into", "in the shape of", "out as")
 _THERE = ("there is", "there are", "you have", "we have", "i have", "here is", "here are")
 _THEN = (
@@ -61,25 +60,6 @@ _START = ("at the start", "at the beginning", "initially", "to begin with", "in 
 _FRONTED = (",", "is", "are", "goes", "go", "stands", "stand", "there is", "there are", "there should be", "sits",
             "lies", ", there is", ", there are", "must be", "should be", "place", "put", ", put", ", place", "i want",
             "comes", "build", ", build")  # fmt: skip
-_AUX = (
-    "must", "should", "shall", "has to", "have to", "needs to", "need to", "is to", "are to", "may", "can", "will",
-    "ought to", "is supposed to", "are supposed to", "does", "do", "has got to", "will have to", "would",
-)  # fmt: skip
-_BE = (
-    "be", "is", "are", "sits", "sit", "stands", "stand", "lies", "lie", "rests", "rest", "goes", "go", "belongs",
-    "belong", "stays", "stay", "remains", "remain", "ends up", "end up", "comes", "come", "gets", "get", "standing",
-    "sitting", "lying", "resting", "being", "lands", "land", "ends", "end",
-)  # fmt: skip
-_DONE = frozenset({
-    "placed", "put", "located", "positioned", "set", "laid", "stood", "left", "found", "moved", "kept",
-    "sitting", "standing", "lying", "resting", "seated", "situated", "brought",
-})  # fmt: skip
-_FORM = ("form", "forms", "make", "makes", "become", "becomes", "make up", "makes up", "build", "constitute",
-         "are arranged in", "are arranged as", "is arranged in", "are arranged into", "be arranged in",
-         "be arranged as", "are in", "be in", "stand in", "lie in", "go in", "go into", "are stacked into",
-         "stacked into", "turn into", "are built into", "is", "are")  # fmt: skip
-_BEAR = ("carry", "carries", "support", "supports", "bear", "bears", "has", "have", "get", "gets", "hold", "holds",
-         "carrying", "bearing", "supporting", "holding")  # fmt: skip
 _SEPARATORS = (
     ", and then there is", ", and there is", ", and", ", but", ", while", ", with", ", plus", ", whereas", ", so that",
     "; and", ", leaving", ",", ";", ".", "!", "?", ":", "and", "but", "while", "plus", "with", "whereas", "so that",
@@ -103,7 +83,7 @@ class Step(NamedTuple):
     joined: bool = False
 
 
-class Reader(Places):
+class Reader(Verbs):
     """Reads the clauses of a text."""
 
     def steps(self, at: int, *, said: bool = False) -> Iterator[Step]:
@@ -176,15 +156,18 @@ class Reader(Places):
             found += self._built(start, laid=verb in _PUT)
         if verb in _PUT or verb in _BUILD:
             for what, end in self.phrase(start):
-                for said, stop in self._predicates(end):
+                for said, stop in self.predicates(end):
                     if isinstance(said[0], Place):
                         if verb in _STACK and several(what):
                             said = (Made(_TOWER), *said)
                         found.append((Clause(what, said, "put"), stop))
+        if (lined := self.past_any(at, "line up")) and not no:
+            existing = [way for way in self._existing(lined) if not is_figure(way[0])]  # which way they face is open
+            found += [(Clause(what, (Made(_ROW), *said), "build"), end) for what, said, end in existing]
         if verb in _STACK and not no:
             found += [(Clause(what, (Made(_TOWER),), "build"), end) for what, end in self.phrase(start)]
         if no:
-            denied = [(replace(clause, predicates=_denied(clause.predicates)), end) for clause, end in found]
+            denied = [(replace(clause, predicates=opposite_of(clause.predicates)), end) for clause, end in found]
             found = [(clause, end) for clause, end in denied if clause.predicates]
         return found
 
@@ -220,7 +203,7 @@ class Reader(Places):
             return []
         end = self.past_any(start + 1, "in a row", "in a line") or start + 1
         what = Noun(det="a", noun="word", word=word)
-        return [(Clause(what, (), "build"), end), *((Clause(what, s, "build"), e) for s, e in self._predicates(end))]
+        return [(Clause(what, (), "build"), end), *((Clause(what, s, "build"), e) for s, e in self.predicates(end))]
 
     def _fronted(self, at: int) -> Ways[Clause]:
         """ "behind it another row", "between both is the digit 0", "beside this stack goes a tower"."""
@@ -237,7 +220,8 @@ class Reader(Places):
         found: Ways[Clause] = []
         for what, stop in self.phrase(at):
             for aside, start in ((None, stop), *self._aside(stop)):
-                mood = "must" if self.past_any(start, *_AUX, "not") else "so"
+                mood = "must" if self.past_any(start, *AUX, "not") else "so"
+                mood = "may" if self.text(start) in {"may", "can"} and self.text(start + 1) != "not" else mood
                 found += [(Clause(what, said, mood, aside), end) for said, end in self.verbs(start)]
         return found
 
@@ -265,110 +249,7 @@ class Reader(Places):
             )
             looks.append(((Made(row),), end))
         verbs = self.verbs(start) if start > at or self.text(start).endswith("ing") else []
-        return [*looks, *self._predicates(start), *verbs]
-
-    def _ordered(self, at: int) -> Ways[Phrase]:
-        """ "red on green", "pink on blue and blue on pink": what is told of stacks."""
-        return [*((how, end) for how, end in self.single(at) if isinstance(how, Chain)), *self._listing(at)]
-
-    @remembered
-    def _predicates(self, at: int) -> Ways[tuple[Predicate, ...]]:
-        """Places, one after the other: "on the patch and left of A", "off the mat but not on the table"."""
-        found: Ways[tuple[Predicate, ...]] = []
-        for into in {self.past_any(at, way) for way in ("in", "into", "as")} - {0}:
-            for figure, end in self.single(into):
-                if isinstance(figure, Noun) and figure.noun in FIGURES and figure.det in {"a", ""}:
-                    found.append(((Made(figure),), end))
-        found += self._either(at)
-        for place, end in self.place(at):
-            found.append(((place,), end))
-            for more, stop in self.place(end):
-                if more.of is None and more.relation in {"flat", "side by side", "touching"}:
-                    found.append(((place, more), stop))
-            ways = {self.past_any(end, way) for way in ("and", "but", ", but", ", and", ",")} - {0}
-            ways -= set() if place.no else {self.past_any(end, "but"), self.past_any(end, ", but")}
-            ways -= {self.past_any(end, "and"), self.past_any(end, ", and")} if place.no else set()
-            for start in ways:
-                more_said = [*self._predicates(start), *(self.verbs(start) if self.text(start - 1) != "," else ())]
-                found += [((place, *more), stop) for more, stop in more_said]
-        return found
-
-    def _either(self, at: int) -> Ways[tuple[Predicate, ...]]:
-        """ "on the patch or next to it", "to the left or right of the block"."""
-        found: Ways[tuple[Predicate, ...]] = []
-        start = self.past_any(at, "either") or at
-        for place, end in [*self.place(start), *self.shared(start)]:
-            if behind := self.past_any(end, "or", ", or"):
-                if (side := RANK.get(self.text(behind), "")) in {"left", "right"} and place.relation in {
-                    "left",
-                    "right",
-                }:
-                    found.append(((Either((place, replace(place, relation=side))),), behind + 1))
-                for other, stop in self.place(behind):
-                    one = place if place.of is not None else replace(place, of=other.of)
-                    if not one.no and not other.no:
-                        found.append(((Either((one, other)),), stop))
-        return found
-
-    @remembered
-    def verbs(self, at: int) -> Ways[tuple[Predicate, ...]]:
-        """A verb with what belongs to it, and more of such."""
-        found: Ways[tuple[Predicate, ...]] = []
-        for said, end in self._verb(at):
-            found.append((said, end))
-            for start in {self.past_any(end, way) for way in ("and", "but", ", but", ", and")} - {0}:
-                found += [((*said, *more), stop) for more, stop in self.verbs(start)]
-        return found
-
-    def _verb(self, at: int) -> Ways[tuple[Predicate, ...]]:
-        found: Ways[tuple[Predicate, ...]] = []
-        aux = self.past_any(at, *_AUX) or at
-        no = self.past_any(aux, "not") or aux
-        denied = no > aux
-        start = no + (self.text(no) in {"both", "all"} and not denied)
-        if self.text(at) in {"may", "can"} and not denied:
-            return found
-        ends = {end + (self.text(end) in {"both", "all"}) for way in _BE if (end := self.past_any(start, way))}
-        for end in sorted(ends | {end + 1 for end in ends if self.text(end) in _DONE}):
-            not_there = self.past_any(end, "not") or end
-            here = list(self._predicates(not_there))
-            here += [((Looks(like),), stop) for like, stop in self.single(not_there)]
-            here += [((Looks(like),), stop) for like, stop in self._listing(not_there)]
-            if denied or not_there > end:  # what is joined to it may be denied, too, or not
-                here = [(opposite, stop) for said, stop in here if (opposite := _denied(said))]
-            found += here
-        for end in {self.past_any(start, way) for way in _FORM} - {0}:
-            for figure, stop in self.single(end):
-                if isinstance(figure, Noun) and figure.noun in FIGURES and not denied:
-                    found.append(((Made(figure),), stop))
-                    that = self.past_any(stop, "that", "which") or stop
-                    found += [((Made(figure), *more), last) for more, last in self.verbs(that)]
-                    found += [((Made(figure), *more), last) for more, last in self._predicates(stop)]
-        for end in {self.past_any(start, way) for way in _BEAR} - {0}:
-            if nothing := self.past_any(end, "nothing on top", "nothing on it", "nothing"):
-                found.append(((Bears(None),), nothing))
-            if denied:
-                continue
-            for what, stop in self.phrase(end):
-                found.append(((Bears(what),), stop))
-                found += self._borne(what, stop)
-        if (end := self.past_any(start, "contain", "contains", "include", "includes")) and not denied:
-            found += [((Holds(what),), stop) for what, stop in self.single(end)]
-        if end := self.past_any(start, "touch", "touches", "touching"):
-            found += [((Place("touch", of, no=denied),), stop) for of, stop in self.phrase(end)]
-            if each := self.past_any(end, "each other", "one another"):
-                found.append(((Place("touching", no=denied),), each))
-        return found
-
-    def _borne(self, what: Phrase, at: int) -> Ways[tuple[Predicate, ...]]:
-        """ "a red block on its middle and a blue one on each end"."""
-        found: Ways[tuple[Predicate, ...]] = []
-        for place, end in self.place(at):
-            found.append(((Bears(what, place),), end))
-            if start := self.past_any(end, "and", ", and", ","):
-                for more, stop in self.single(start):
-                    found += [((Bears(what, place), *rest), last) for rest, last in self._borne(more, stop)]
-        return found
+        return [*looks, *self.predicates(start), *verbs]
 
 
 def _says(clause: Clause) -> bool:
@@ -379,8 +260,3 @@ def _says(clause: Clause) -> bool:
 def several(phrase: Phrase) -> bool:
     """Whether more than one block is told."""
     return not isinstance(phrase, Label | Noun) or (isinstance(phrase, Noun) and (phrase.many or phrase.count > 1))
-
-
-def _denied(said: tuple[Predicate, ...]) -> tuple[Predicate, ...]:
-    """The opposite of one place that is said; nothing of more, and of what forms or looks so."""
-    return tuple(replace(one, no=not one.no) for one in said if isinstance(one, Place)) if len(said) == 1 else ()

@@ -155,6 +155,7 @@ def _made(scene: Scene, noun: Noun, kind: str, resolve: Resolve) -> int:
         if ref.kind != "block" or ref.bound or ref.no:
             raise Unclear
         figure.blocks = list(ref.ids)
+        figure.free = isinstance(content, Both) and any(isinstance(p, Noun) and p.count > 1 for p in content.parts)
     elif noun.word:
         if any(block.label in noun.word for block in scene.blocks if block.label):
             raise Unclear
@@ -212,7 +213,7 @@ def _check_size(figure: Figure, size: tuple[int, ...]) -> None:
 
 def part(scene: Scene, noun: Noun, resolve: Resolve) -> Ref:
     """The blocks of a figure at some of its places."""
-    figures = _whole_figures(scene, noun, resolve)
+    figures = whole_figures(scene, noun, resolve)
     said = (*noun.ranks, *((noun.noun,) if noun.noun in PARTS | {"row", "column"} else ()))
     ids = []
     for figure in figures:
@@ -225,10 +226,10 @@ def part(scene: Scene, noun: Noun, resolve: Resolve) -> Ref:
             at = [n for n in at if n != scene.place[1]]
             if len(at) != 1:
                 raise Unclear
-        scene.settle(figure)
+        found = [scene.at(figure, n) for n in at]
         scene.place = (figure, at[0]) if len(at) == 1 else None
         figure.sided |= bool(_SIDES & set(said)) and figure.kind in {"row", "line"}
-        ids += [figure.blocks[n] for n in at]
+        ids += found
     if noun.color and any(scene.blocks[n].color != noun.color for n in ids):
         raise Unclear
     whole = noun.noun in {"row", "column", "layer", "side"}
@@ -243,7 +244,7 @@ def part(scene: Scene, noun: Noun, resolve: Resolve) -> Ref:
     return Ref("block", ids, each=noun.det == "each")
 
 
-def _whole_figures(scene: Scene, noun: Noun, resolve: Resolve) -> list[Figure]:
+def whole_figures(scene: Scene, noun: Noun, resolve: Resolve) -> list[Figure]:
     """The figures that a part is of: those said, or the one that was spoken of last."""
     if noun.of is not None and noun.of != Pronoun("it"):
         ref = resolve(scene, noun.of)

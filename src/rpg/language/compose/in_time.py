@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import pairwise
 
-from rpg.language.compose.items import FIGURES
 from rpg.language.compose.scene import Unclear
-from rpg.language.compose.syntax import Both, Chain, Clause, Made, Noun, Phrase, Place, Predicate, Pronoun
+from rpg.language.compose.syntax import Chain, Clause, Made, Noun, Place, Predicate, Pronoun, is_figure
 
 
 def check_in_time(way: Sequence[Clause]) -> None:
@@ -38,7 +37,7 @@ def _check_there(clause: Clause, *, told: bool, alone: bool, ahead: bool) -> Non
     """ "There is a tower": it is to be built, unless more is said of it, or is to be done."""
     if any(_of_table(said) for said in clause.predicates):
         raise Unclear
-    if not alone and (told or (ahead and _is_figure(clause.subject))):
+    if not alone and (told or (ahead and is_figure(clause.subject))):
         raise Unclear
 
 
@@ -48,7 +47,7 @@ def _check_joined(clause: Clause, behind: Clause) -> None:
         raise Unclear
     if not behind.mood and any(isinstance(said, Place) and said.no for said in clause.predicates):
         raise Unclear
-    if _is_figure(clause.subject) and not clause.predicates and _is_figure(behind.subject) and behind.predicates:
+    if is_figure(clause.subject) and not clause.predicates and is_figure(behind.subject) and behind.predicates:
         place = behind.predicates[0]
         if isinstance(place, Place) and place.of is not None and not isinstance(place.of, Pronoun):
             raise Unclear
@@ -65,9 +64,3 @@ def _on_table(said: Predicate) -> bool:
 
 def _of_table(said: Predicate) -> bool:
     return isinstance(said, Place) and isinstance(said.of, Noun) and said.of.noun == "table"
-
-
-def _is_figure(phrase: Phrase) -> bool:
-    if isinstance(phrase, Both):
-        return any(map(_is_figure, phrase.parts))
-    return isinstance(phrase, Noun) and phrase.noun in FIGURES

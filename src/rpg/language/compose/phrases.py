@@ -279,14 +279,17 @@ class Phrases(Contents):
 
 
 def _headed(parts: tuple[Phrase, ...]) -> tuple[Phrase, ...]:
-    """ "The red or the blue block": what stands at the last one is said of all of them."""
-    last = parts[-1]
-    if not isinstance(last, Noun) or last.noun not in {"block", "patch"} or last.many or last.det not in {"the", "a"}:
+    """ "The red or the blue block", "the red, green and blue blocks": what stands at the last is said of all."""
+    first, last = parts[0], parts[-1]
+    if not isinstance(first, Noun) or not isinstance(last, Noun) or last.noun not in {"block", "patch"}:
         return parts
+    det = first.det if last.many else last.det
     bare = [part for part in parts[:-1] if isinstance(part, Noun) and part.color and not part.noun]
-    if len(bare) < len(parts) - 1 or any(part.det not in {last.det, ""} or part.many or part.count for part in bare):
+    if det not in {"the", "a"} or len(bare) < len(parts) - 1 or any(part.many or part.count for part in bare):
         return parts
-    return (*(replace(part, det=last.det, noun=last.noun) for part in bare), last)
+    if any(part.det not in {det, ""} for part in (*bare, last)) or last.count or not last.color:
+        return parts
+    return tuple(replace(part, det=det, noun=last.noun, many=False) for part in (*bare, last))
 
 
 def _labelled(phrase: Phrase, kind: str) -> bool:

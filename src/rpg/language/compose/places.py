@@ -25,6 +25,15 @@ _BARE: dict[str, tuple[str, ...]] = {
     "side by side": ("side by side", "next to each other", "beside each other", "next to one another"),
     "touching": ("touching", "touching each other", "in contact"),
     "apart": ("apart", "apart from each other", "away from each other"),
+    "any order": (
+        "in any order",
+        "in whatever order",
+        "in either order",
+        "however you like",
+        "in any order you like",
+        "in no particular order",
+        "in whichever order",
+    ),
     "alone": ("alone", "by themselves", "on their own", "on its own"),
 }
 BARE = sorted(((words.split(), place) for place, ways in _BARE.items() for words in ways), key=lambda way: -len(way[0]))

@@ -5,10 +5,11 @@ from __future__ import annotations
 from dataclasses import replace
 from itertools import combinations
 
+from rpg.language.compose.figures import whole_figures
 from rpg.language.compose.nouns import resolve
 from rpg.language.compose.places_of import places
 from rpg.language.compose.scene import Fact, Figure, Ref, Scene, Unclear
-from rpg.language.compose.syntax import Both, Phrase, Place
+from rpg.language.compose.syntax import Both, Noun, Phrase, Place
 
 SIDES = {"left": "to the left of", "right": "to the right of", "front": "in front of", "behind": "behind"}
 _RELATIONS = {"next": "next to", "near": "near", "far": "far from", "touch": "touch"}
@@ -26,8 +27,7 @@ def tops_of(scene: Scene, ref: Ref) -> list[int]:
         figure = scene.figures[at]
         if figure.kind != "tower" or figure.stage < 0:
             raise Unclear
-        scene.settle(figure)
-        tops.append(figure.blocks[-1])
+        tops.append(scene.at(figure, len(figure.blocks) - 1))
     return tops
 
 
@@ -53,10 +53,23 @@ def bare(scene: Scene, ref: Ref, said: Place) -> None:
         scene.facts += [
             Fact(Ref(ref.kind, [a]), word, Ref(ref.kind, [b]), no=said.no) for a, b in combinations(ref.ids, 2)
         ]
-    elif name in _BARE_PLACES and not said.no:
-        _in_figure(scene, ref, name)
+    elif name == "any order" and not said.no:
+        _in_any_order(scene, ref)
+    elif name in _BARE_PLACES:
+        _in_figure(scene, ref, name, no=said.no)
     else:
         raise Unclear
+
+
+def _in_any_order(scene: Scene, ref: Ref) -> None:
+    """These figures, or those that these blocks form, have no fixed order."""
+    figures = [f for n, f in enumerate(scene.figures) if ref.kind == "figure" and n in ref.ids]
+    if ref.kind == "block":
+        figures = [f for f in scene.figures if set(f.blocks) == set(ref.ids)]
+    if not figures or any(figure.told or figure.placed for figure in figures):
+        raise Unclear
+    for figure in figures:
+        figure.free = True
 
 
 def in_region(scene: Scene, ref: Ref, said: Place) -> None:
@@ -66,7 +79,43 @@ def in_region(scene: Scene, ref: Ref, said: Place) -> None:
         scene.facts.append(Fact(Ref("block", ids), f"{said.how} of the table"))
 
 
-def _in_figure(scene: Scene, ref: Ref, name: str) -> None:
+def at_part(scene: Scene, ref: Ref, part: Noun, *, no: bool) -> None:
+    """ "At the left end of the row", "not at an end of it": where in its figure a block is."""
+    owners = whole_figures(scene, part, resolve)
+    own = {scene.figures.index(figure) for n in ref.ids if (figure := scene.figure_of(n)) is not None}
+    if ref.kind != "block" or len(owners) != 1 or [owners[0]] != [scene.figures[n] for n in own]:
+        raise Unclear
+    figure = owners[0]
+    at = places(figure, (*part.ranks, part.noun), part.nth, len(ref.ids))
+    if no:
+        _bar(scene, figure, ref.ids, at)
+    elif len(ref.ids) == len(at) > 1 and scene.alike(ref.ids):
+        for n, there in zip(ref.ids, at, strict=True):
+            _put_there(scene, figure, n, there)
+    elif len(ref.ids) == 1 and (len(at) == 1 or part.det in {"a", "any"}):
+        _put_there(scene, figure, ref.ids[0], at[scene.choose(len(at))])
+        figure.sided |= bool({"left", "right"} & set(part.ranks)) or len(at) > 1
+    else:
+        raise Unclear
+
+
+def _bar(scene: Scene, figure: Figure, ids: list[int], at: list[int]) -> None:
+    """These blocks must not be at these places of the figure."""
+    if figure.told:
+        raise Unclear
+    figure.free = figure.sided = True
+    for n in ids:
+        figure.barred.setdefault(n, set()).update(at)
+
+
+def _put_there(scene: Scene, figure: Figure, block: int, at: int) -> None:
+    if figure.told or figure.placed.get(at, block) != block:
+        raise Unclear
+    figure.placed[at] = block
+    scene.place = (figure, at)
+
+
+def _in_figure(scene: Scene, ref: Ref, name: str, *, no: bool) -> None:
     """ "on top", "at the left end": in the figure that was spoken of, if it is one of its blocks; else on or beside."""
     spoken = [r for refs in (scene.here, scene.before) for r in refs if r.kind == "figure" and r is not ref]
     if ref.kind == "block" and len(ref.ids) == 1 and (own := scene.figure_of(ref.ids[0])) is not None:
@@ -79,12 +128,17 @@ def _in_figure(scene: Scene, ref: Ref, name: str) -> None:
     if last is None or len(last.ids) != 1 or ref.kind == "table":
         raise Unclear
     figure = scene.figures[last.ids[0]]
-    if ref.kind == "block" and set(ref.ids) <= set(figure.blocks) and len(ref.ids) == 1:
-        at = places(figure, (name,))
-        if len(at) != 1 or figure.told or figure.placed.get(at[0], ref.ids[0]) != ref.ids[0]:
+    if no:
+        if ref.kind != "block" or not set(ref.ids) <= set(figure.blocks):
             raise Unclear
-        figure.placed[at[0]] = ref.ids[0]
-        scene.place = (figure, at[0])
+        _bar(scene, figure, ref.ids, places(figure, (name,)))
+        return
+    if ref.kind == "block" and set(ref.ids) <= set(figure.blocks):
+        at = places(figure, (name,), 0, len(ref.ids))
+        if len(at) != len(ref.ids) or not scene.alike(ref.ids):
+            raise Unclear
+        for n, there in zip(ref.ids, at, strict=True):
+            _put_there(scene, figure, n, there)
         figure.sided |= name in {"left", "right"}
         return
     if name == "top" and ref.kind == "block":
@@ -139,7 +193,7 @@ def place(scene: Scene, ref: Ref, target: Ref, said: Place) -> None:
 
 
 def _on_patch(scene: Scene, ref: Ref, target: Ref, *, no: bool) -> None:
-    if len(target.ids) != 1 or (ref.bound and no) or ref.bound == "most":
+    if len(target.ids) != 1 or ((ref.bound or ref.rest) and no) or ref.bound == "most":
         raise Unclear
     if ref.kind == "figure":
         for at in ref.ids:
@@ -167,8 +221,7 @@ def on(scene: Scene, ref: Ref, target: Ref, word: str, *, no: bool) -> None:
         for at in ref.ids:
             if scene.figures[at].kind != "tower":
                 raise Unclear
-            scene.settle(scene.figures[at])
-            upper.append(scene.figures[at].blocks[0])
+            upper.append(scene.at(scene.figures[at], 0))
     if ref.kind == "block" and any(f.kind == "word" and set(ref.ids) & set(f.blocks) for f in scene.figures):
         raise Unclear
     if target.kind != "block" or ref.bound in {"exactly", "most", "least"} or len(upper) != len(target.ids):

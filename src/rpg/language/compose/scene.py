@@ -6,7 +6,11 @@ from dataclasses import dataclass, field
 
 from rpg.language.frames.pieces import Unclear
 
-__all__ = ["Block", "Fact", "Figure", "Patch", "Ref", "Scene", "Unclear"]
+__all__ = ["Block", "Fact", "Figure", "Impossible", "Patch", "Ref", "Scene", "Unclear"]
+
+
+class Impossible(Unclear):
+    """This way to have what is said cannot be; others may."""
 
 
 @dataclass(slots=True)
@@ -32,9 +36,10 @@ class Figure:
     """Blocks that form something, in the order of its places.
 
     `placed`: which block is at a place, as far as this was said; `told`: places matter, so that the order is told;
-    `sided`: the places of a row are counted from the left; `implied`: it is told by what
-    lies on what. `stage`: when it is formed, -1 at the start. Places of a tower are counted from the bottom, those of a
-    row from the left, of anything else row by row from the far left, or from the top left of what stands upright.
+    `sided`: the places of a row are counted from the left; `free`: its blocks may be in any order, but for those
+    that are `placed`, and for what is `barred` from places. `implied`: it is told by what lies on what.
+    `stage`: when it is formed, -1 at the start. Places of a tower are counted from the bottom, those of a row from
+    the left, of anything else row by row from the far left, or from the top left of what stands upright.
     """
 
     kind: str
@@ -42,7 +47,9 @@ class Figure:
     size: tuple[int, ...] = ()
     word: str = ""
     placed: dict[int, int] = field(default_factory=dict)
+    barred: dict[int, set[int]] = field(default_factory=dict)
     told: bool = False
+    free: bool = False
     sided: bool = False
     implied: bool = False
     stage: int = 0
@@ -139,8 +146,35 @@ class Scene:
         """The figure that a block is a part of."""
         return next((f for f in self.figures if block in f.blocks), None)
 
+    def at(self, figure: Figure, place: int) -> int:
+        """The block at a place; where any order will do, each of those that may be there."""
+        if not figure.free:
+            self.settle(figure)
+            return figure.blocks[place]
+        if place not in figure.placed:
+            rest = [n for n in figure.blocks if n not in figure.placed.values()]
+            looks = {self.blocks[n].look: n for n in reversed(rest) if place not in figure.barred.get(n, ())}
+            if not looks:
+                raise Impossible
+            figure.placed[place] = list(looks.values())[self.choose(len(looks))]
+        return figure.placed[place]
+
+    def place_barred(self) -> None:
+        """Puts what must not be at some places of a figure at each of the others."""
+        for figure in self.figures:
+            for n, never in list(figure.barred.items()):
+                there = [at for at, block in figure.placed.items() if block == n]
+                alike = [at for at, block in figure.placed.items() if self.blocks[block].look == self.blocks[n].look]
+                able = [at for at in range(max(alike, default=-1) + 1, len(figure.blocks)) if at not in figure.placed]
+                able = [at for at in there or able if at not in never]
+                if not able:
+                    raise Impossible
+                figure.placed[able[0] if there else able[self.choose(len(able))]] = n
+
     def settle(self, figure: Figure) -> None:
         """Puts the blocks in the order of their places, where what was said leaves no other."""
+        if figure.free:
+            raise Unclear
         rest = [n for n in figure.blocks if n not in figure.placed.values()]
         if len(rest) > 1 and not self.alike(rest) and not figure.told:
             raise Unclear

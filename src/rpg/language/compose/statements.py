@@ -8,9 +8,9 @@ from dataclasses import replace
 from functools import partial
 from itertools import pairwise
 
-from rpg.language.compose.items import FIGURES
+from rpg.language.compose.items import FIGURES, PARTS
 from rpg.language.compose.nouns import resolve
-from rpg.language.compose.relating import SIDES, bare, between, in_region, on, place, tops_of
+from rpg.language.compose.relating import SIDES, at_part, bare, between, in_region, on, place, tops_of
 from rpg.language.compose.scene import Fact, Ref, Scene, Unclear
 from rpg.language.compose.syntax import (
     Bears,
@@ -102,6 +102,8 @@ def _say(scene: Scene, clause: Clause) -> None:
         return
     ref = resolve(scene, subject)
     _check_subject(scene, clause, ref)
+    if clause.mood == "may" and not ref.no and not all(isinstance(said, Either) for said in clause.predicates):
+        raise Unclear  # this is allowed, not asked for
     if clause.aside is not None:
         _aside(scene, ref, clause.aside)
     if not clause.predicates:
@@ -114,6 +116,7 @@ def _say(scene: Scene, clause: Clause) -> None:
         if isinstance(said, Made) and ref.kind == "block" and scene.figures[-1].kind == "tower":
             ref = Ref("figure", [len(scene.figures) - 1])  # what is said next is said of the tower
     scene.subject = None
+    scene.place_barred()
     if clause.predicates and ref.kind == "block":
         scene.used.update(ref.ids)
 
@@ -296,6 +299,9 @@ def _said(scene: Scene, ref: Ref, said: Predicate) -> None:
         bare(scene, ref, said)
     else:
         of = said.of
+        if said.relation == "in" and isinstance(of, Noun) and of.noun in PARTS and ref.kind == "block":
+            at_part(scene, ref, of, no=said.no)
+            return
         if said.relation == "between":
             between(scene, ref, of, said)
             return

@@ -7,6 +7,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from rpg.language.compose.items import FIGURES
+
 
 @dataclass(frozen=True, slots=True)
 class Noun:
@@ -155,3 +157,10 @@ class Clause:
     first: bool = False
     later: bool = False
     other: Clause | None = None
+
+
+def is_figure(phrase: Phrase) -> bool:
+    """Whether a phrase tells a figure, alone or among others."""
+    if isinstance(phrase, Both):
+        return any(map(is_figure, phrase.parts))
+    return isinstance(phrase, Noun) and phrase.noun in FIGURES

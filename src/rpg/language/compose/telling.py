@@ -171,6 +171,16 @@ def _fact(scene: Scene, fact: Fact) -> str:
 
 def _figure(scene: Scene, figure: Figure) -> str:
     """The sentence that says what blocks form."""
+    loose = [n for n in figure.blocks if n not in figure.placed.values()]
+    if figure.free and not figure.placed:
+        figure.free = False
+    if figure.free and (len(loose) < 2 or scene.alike(loose)):
+        figure.free = False  # what is placed leaves one order
+    if figure.free and figure.kind in {"row", "line"} and list(figure.placed) == [1] and len(figure.blocks) == 3:
+        figure.blocks, figure.placed = [loose[0], figure.placed[1], loose[1]], {}
+        figure.free, figure.told, figure.sided = False, True, False  # the others are at either end
+    if figure.free:
+        return _in_part(scene, figure)
     if figure.placed:
         scene.settle(figure)
     names, many = _names(scene, figure.blocks), len(figure.blocks)
@@ -212,6 +222,35 @@ def _figure(scene: Scene, figure: Figure) -> str:
         of = {"circle": "a circle", "triangle": "the outline of a triangle", "square": "the outline of a square"}
         return _sentence(f"{names} must form {of[figure.kind]}")
     raise Unclear
+
+
+_LEFT_TO_RIGHT = ("at the left end", "at the right end", "from the left")
+_ENDS = {
+    "tower": ("at the bottom", "at the top", "from the bottom"), "row": _LEFT_TO_RIGHT, "line": _LEFT_TO_RIGHT,
+    "column": ("at the front end", "at the back end", ""),
+}  # fmt: skip
+"""How the first and the last place is told, and from where the others are counted."""
+
+
+def _in_part(scene: Scene, figure: Figure) -> str:
+    """A figure of which it is said at some places alone what is there."""
+    names, many = _names(scene, figure.blocks), len(figure.blocks)
+    if figure.kind not in _ENDS:
+        raise Unclear
+    form = _tower(scene, figure, many) if figure.kind == "tower" else f"be in a {figure.kind}"
+    form += " on the table" if figure.kind == "column" else ""
+    first, last, side = _ENDS[figure.kind]
+    where = {0: first, many - 1: last}
+    if many % 2:
+        where[many // 2] = "in the middle"
+    told = []
+    for at, block in sorted(figure.placed.items()):
+        if at not in where and not side:
+            raise Unclear
+        told.append(f"{_name(scene, block)} {where.get(at) or f'{lexicon.ORDINALS[at + 1].split()[0]} {side}'}")
+    if not figure.sided and figure.kind in {"row", "line"} and set(figure.placed) - {many // 2 if many % 2 else -1}:
+        raise Unclear  # from which end is not told
+    return _sentence(f"{names} must {form}{f' with {join(told)}' if told else ''}")
 
 
 def _tower(scene: Scene, figure: Figure, many: int) -> str:

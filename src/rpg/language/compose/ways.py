@@ -8,7 +8,7 @@ from contextlib import suppress
 from dataclasses import replace
 
 from rpg.language.compose.clauses import Reader, Step, several
-from rpg.language.compose.scene import Scene, Unclear
+from rpg.language.compose.scene import Impossible, Scene, Unclear
 from rpg.language.compose.statements import say
 from rpg.language.compose.syntax import Clause, Made
 
@@ -58,14 +58,17 @@ def _said(told: bytes, clause: Clause) -> list[Scene]:
         script = scripts.pop()
         scene: Scene = pickle.loads(told)
         scene.script = script
-        say(scene, clause)
+        with suppress(Impossible):
+            say(scene, clause)
+            scenes.append(scene)
         taken = (*script, *(0 for _ in scene.choices[len(script) :]))
         for n in range(len(script), len(scene.choices)):
             scripts += [(*taken[:n], other) for other in range(1, scene.choices[n])]
         scene.script, scene.choices = (), []
-        scenes.append(scene)
         if len(scenes) > _MOST_SCENES:
             raise Unclear
+    if not scenes:
+        raise Unclear
     return scenes
 
 

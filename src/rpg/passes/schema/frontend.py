@@ -59,6 +59,7 @@ from rpg.passes.schema.misspelt import ways_meant
 from rpg.passes.schema.nothing_more import MOST as MOST_MORE
 from rpg.passes.schema.nothing_more import without_more
 from rpg.passes.schema.order_told import check_one_order, check_order
+from rpg.passes.schema.resolve.things.world import WhichOne
 from rpg.passes.schema.respelt import Respelt
 from rpg.passes.schema.said_behind import check_behind
 from rpg.passes.schema.second_opinion import check_guess
@@ -237,10 +238,8 @@ class BuiltinFrontEnd:
                     check_behind(typed, found.task)
                     return found.task, found.notes
             again = again and not isinstance(refusal, TwoReadings)  # people are asked which one they mean
-            code = refusal.diagnostics[0].code
-            found_again = (
-                self._retold(typed, text, name, seed, author, notes, parsed=code in _PARSED) if again else (None, ())
-            )
+            parsed = refusal.diagnostics[0].code in _PARSED or isinstance(refusal, WhichOne)
+            found_again = self._retold(typed, text, name, seed, author, notes, parsed=parsed) if again else (None, ())
             if found_again[0] is not None:
                 return found_again
             raise
@@ -351,7 +350,7 @@ _SPLICED: tuple[Callable[[list[Token]], list[Token] | None], ...] = (
 _NOT_UNDERSTOOD = frozenset({"misplaced-word", "incomplete"})
 """Why a text is refused that may be understood with its clauses told apart."""
 _PARSED = frozenset({"misplaced-word", "incomplete", "misplaced", "no-referent"})
-"""Why a text is refused that may be parsed otherwise; whoever is asked which of two is meant is asked."""
+"""Why a text is refused that may be parsed otherwise, as it may where it is asked which one of several is meant."""
 _NOT_KNOWN = frozenset({"unknown-word", "misplaced"})
 """Why a text is refused that may be understood without a clause of it, too."""
 _CANNOT_BOTH_BE = frozenset({"contradiction", "support-cycle", "self-reference"})

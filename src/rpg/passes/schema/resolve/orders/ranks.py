@@ -18,7 +18,7 @@ from rpg.passes.schema.resolve.orders.positions import SIDES
 from rpg.passes.schema.resolve.orders.reordered import begun_in_order
 from rpg.passes.schema.resolve.places.sided_patches import sided_patch
 from rpg.passes.schema.resolve.things.things import alike, matching
-from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, refuse
+from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, refuse, which_one
 
 _FIRST = {"stack": "bottom", "row": "left", "line": "left", "column": "front", "word": "left"}
 
@@ -52,7 +52,7 @@ def ranked(noun: Noun, scene: Scene, scope: Scope) -> Ref:
         return ends
     there = () if noun.head == "patch" else _candidates(noun, rank, scene)
     if len(set(there)) > 1:
-        raise refuse("ambiguous", "this could be a block of several structures", noun.span, "name its colour or label")
+        raise which_one("this could be a block of several structures", noun.span, "name its colour or label")
     if there:
         return Ref(names=there[:1])
     left_alike(scene, scope)

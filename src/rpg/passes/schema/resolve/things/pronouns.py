@@ -20,7 +20,7 @@ from rpg.passes.schema.resolve.things.parallel import ACROSS, parallel
 from rpg.passes.schema.resolve.things.second_patch import one_alone, one_of_the_patches, only_one_patch
 from rpg.passes.schema.resolve.things.them import each_whole, neither, them, whichever_there_are
 from rpg.passes.schema.resolve.things.which import which
-from rpg.passes.schema.resolve.things.world import Mention, Ref, Scene, Scope, Thing, refuse, said
+from rpg.passes.schema.resolve.things.world import Mention, Ref, Scene, Scope, Thing, refuse, said, which_one
 
 if TYPE_CHECKING:
     from rpg.passes.schema.resolve.things.by_the_way import named_by_the_way
@@ -107,7 +107,7 @@ def _numbered(word: Pronoun, scene: Scene) -> Ref:
     """ "the second one" where two structures were built: the second of them."""
     index = _NUMBERED[word.word]
     if index is None or len({b.kind for b in scene.built}) > 1:
-        raise refuse("ambiguous", f"it is not clear what {word.word!r} is", word.span, "name it")
+        raise which_one(f"it is not clear what {word.word!r} is", word.span, "name it")
     built = scene.built[index]
     return Ref(names=built.members, built=(built,), span=word.span)
 

@@ -50,7 +50,7 @@ from rpg.passes.schema.resolve.things.things import (
     note_premises,
     told_of_whole,
 )
-from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
+from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse, which_one
 
 if TYPE_CHECKING:
     from rpg.passes.schema.resolve.orders.among_places import blocks_at, named_part, one_on_each
@@ -180,9 +180,7 @@ def _part(meaning: PartOf, scene: Scene, scope: Scope) -> Ref:
         return named
     if meaning.part == "middle" and (middle := middle_of(whole, meaning.span, scene, scope)) is not None:
         return middle
-    raise refuse(
-        "ambiguous", f"it is not clear which block the {meaning.part} of it is", meaning.span, "name the block"
-    )
+    raise which_one(f"it is not clear which block the {meaning.part} of it is", meaning.span, "name the block")
 
 
 def _noun(noun: Noun, scene: Scene, scope: Scope) -> Ref:

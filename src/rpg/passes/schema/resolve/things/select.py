@@ -11,7 +11,7 @@ from rpg.ir.walk import names as names_in
 from rpg.language import lexicon
 from rpg.language.meaning import Noun, Traits
 from rpg.passes.schema.resolve.things.things import alike, create, elastic, further, give, is_open, matching, open_to
-from rpg.passes.schema.resolve.things.world import Scene, Scope, Thing, refuse, said
+from rpg.passes.schema.resolve.things.world import Scene, Scope, Thing, refuse, said, which_one
 
 
 def select(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> tuple[str, ...]:
@@ -364,9 +364,8 @@ def _pick(noun: Noun, found: list[Thing], scene: Scene, scope: Scope) -> Thing:
     what = said(found[0])[4:]
     if len({(t.color, t.label, t.size) for t in found}) > 1:
         names = ", ".join(dict.fromkeys(said(t) for t in found))
-        raise refuse("ambiguous", f"this could be {names}", noun.span, "name its colour or its label")
-    raise refuse(
-        "ambiguous",
+        raise which_one(f"this could be {names}", noun.span, "name its colour or its label")
+    raise which_one(
         f"there are {len(found)} of them: it could be any {what}",
         noun.span,
         f"say 'one of the {lexicon.plural_of(what)}' or 'a {what}'",

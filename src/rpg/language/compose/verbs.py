@@ -1,0 +1,151 @@
+"""What is said of things: verbs with what belongs to them, and places one after the other."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language.compose.items import FIGURES, RANK
+from rpg.language.compose.places import Places
+from rpg.language.compose.syntax import Bears, Chain, Either, Holds, Looks, Made, Noun, Phrase, Place, Predicate
+from rpg.language.compose.words import Ways, remembered
+
+AUX = (
+    "must", "should", "shall", "has to", "have to", "needs to", "need to", "is to", "are to", "may", "can", "will",
+    "ought to", "is supposed to", "are supposed to", "does", "do", "has got to", "will have to", "would",
+)  # fmt: skip
+_BE = (
+    "be", "is", "are", "sits", "sit", "stands", "stand", "lies", "lie", "rests", "rest", "goes", "go", "belongs",
+    "belong", "stays", "stay", "remains", "remain", "ends up", "end up", "comes", "come", "gets", "get", "standing",
+    "sitting", "lying", "resting", "being", "lands", "land", "ends", "end",
+)  # fmt: skip
+_DONE = frozenset({
+    "placed", "put", "located", "positioned", "set", "laid", "stood", "left", "found", "moved", "kept",
+    "sitting", "standing", "lying", "resting", "seated", "situated", "brought",
+})  # fmt: skip
+_FORM = ("form", "forms", "make", "makes", "become", "becomes", "make up", "makes up", "build", "constitute",
+         "are arranged in", "are arranged as", "is arranged in", "are arranged into", "be arranged in",
+         "be arranged as", "are in", "be in", "stand in", "lie in", "go in", "go into", "are stacked into",
+         "stacked into", "turn into", "are built into", "is", "are")  # fmt: skip
+_BEAR = ("carry", "carries", "support", "supports", "bear", "bears", "has", "have", "get", "gets", "hold", "holds",
+         "carrying", "bearing", "supporting", "holding")  # fmt: skip
+
+
+class Verbs(Places):
+    """Reads what is said of a thing."""
+
+    def _ordered(self, at: int) -> Ways[Phrase]:
+        """ "red on green", "pink on blue and blue on pink": what is told of stacks."""
+        return [*((how, end) for how, end in self.single(at) if isinstance(how, Chain)), *self._listing(at)]
+
+    @remembered
+    def predicates(self, at: int) -> Ways[tuple[Predicate, ...]]:
+        """Places, one after the other: "on the patch and left of A", "off the mat but not on the table"."""
+        found: Ways[tuple[Predicate, ...]] = []
+        for into in {self.past_any(at, way) for way in ("in", "into", "as")} - {0}:
+            for figure, end in self.single(into):
+                if isinstance(figure, Noun) and figure.noun in FIGURES and figure.det in {"a", ""}:
+                    found.append(((Made(figure),), end))
+        found += self._either(at)
+        for place, end in self.place(at):
+            found.append(((place,), end))
+            for more, stop in self.place(end):
+                if more.of is None and more.relation in {"flat", "side by side", "touching"}:
+                    found.append(((place, more), stop))
+            ways = {self.past_any(end, way) for way in ("and", "but", ", but", ", and", ",")} - {0}
+            ways -= set() if place.no else {self.past_any(end, "but"), self.past_any(end, ", but")}
+            ways -= {self.past_any(end, "and"), self.past_any(end, ", and")} if place.no else set()
+            for start in ways:
+                more_said = [*self.predicates(start), *(self.verbs(start) if self.text(start - 1) != "," else ())]
+                found += [((place, *more), stop) for more, stop in more_said]
+        return found
+
+    def _either(self, at: int) -> Ways[tuple[Predicate, ...]]:
+        """ "on the patch or next to it", "to the left or right of the block"."""
+        found: Ways[tuple[Predicate, ...]] = []
+        start = self.past_any(at, "either") or at
+        for place, end in [*self.place(start), *self.shared(start)]:
+            if behind := self.past_any(end, "or", ", or"):
+                if (side := RANK.get(self.text(behind), "")) in {"left", "right"} and place.relation in {
+                    "left",
+                    "right",
+                }:
+                    found.append(((Either((place, replace(place, relation=side))),), behind + 1))
+                for other, stop in self.place(behind):
+                    one = place if place.of is not None else replace(place, of=other.of)
+                    if not one.no and not other.no:
+                        found.append(((Either((one, other)),), stop))
+        return found
+
+    @remembered
+    def verbs(self, at: int) -> Ways[tuple[Predicate, ...]]:
+        """A verb with what belongs to it, and more of such."""
+        found: Ways[tuple[Predicate, ...]] = []
+        for said, end in self._verb(at):
+            found.append((said, end))
+            for start in {self.past_any(end, way) for way in ("and", "but", ", but", ", and")} - {0}:
+                found += [((*said, *more), stop) for more, stop in self.verbs(start)]
+        return found
+
+    def _verb(self, at: int) -> Ways[tuple[Predicate, ...]]:
+        found: Ways[tuple[Predicate, ...]] = []
+        aux = self.past_any(at, *AUX) or at
+        no = self.past_any(aux, "not") or aux
+        denied = no > aux
+        start = no + (self.text(no) in {"both", "all"} and not denied)
+        ends = {end + (self.text(end) in {"both", "all"}) for way in _BE if (end := self.past_any(start, way))}
+        for end in sorted(ends | {end + 1 for end in ends if self.text(end) in _DONE}):
+            not_there = self.past_any(end, "not") or end
+            here = list(self.predicates(not_there))
+            here += [((Looks(like),), stop) for like, stop in self.single(not_there)]
+            here += [((Looks(like),), stop) for like, stop in self._listing(not_there)]
+            here += self._neither(end)
+            if denied or not_there > end:  # what is joined to it may be denied, too, or not
+                here = [(opposite, stop) for said, stop in here if (opposite := opposite_of(said))]
+            found += here
+        for end in {self.past_any(start, way) for way in _FORM} - {0}:
+            for figure, stop in self.single(end):
+                if isinstance(figure, Noun) and figure.noun in FIGURES and not denied:
+                    found.append(((Made(figure),), stop))
+                    that = self.past_any(stop, "that", "which") or stop
+                    found += [((Made(figure), *more), last) for more, last in self.verbs(that)]
+                    found += [((Made(figure), *more), last) for more, last in self.predicates(stop)]
+        for end in {self.past_any(start, way) for way in _BEAR} - {0}:
+            if nothing := self.past_any(end, "nothing on top", "nothing on it", "nothing"):
+                found.append(((Bears(None),), nothing))
+            if denied:
+                continue
+            for what, stop in self.phrase(end):
+                found.append(((Bears(what),), stop))
+                found += self._borne(what, stop)
+        if (end := self.past_any(start, "contain", "contains", "include", "includes")) and not denied:
+            found += [((Holds(what),), stop) for what, stop in self.single(end)]
+        if end := self.past_any(start, "touch", "touches", "touching"):
+            found += [((Place("touch", of, no=denied),), stop) for of, stop in self.phrase(end)]
+            if each := self.past_any(end, "each other", "one another"):
+                found.append(((Place("touching", no=denied),), each))
+        return found
+
+    def _neither(self, at: int) -> Ways[tuple[Predicate, ...]]:
+        """ "neither at its top nor at its bottom"."""
+        found: Ways[tuple[Predicate, ...]] = []
+        for place, end in self.place(at + 1) if self.text(at) == "neither" else ():
+            if nor := self.past_any(end, "nor"):
+                for other, stop in self.place(nor):
+                    if not place.no and not other.no:
+                        found.append(((replace(place, no=True), replace(other, no=True)), stop))
+        return found
+
+    def _borne(self, what: Phrase, at: int) -> Ways[tuple[Predicate, ...]]:
+        """ "a red block on its middle and a blue one on each end"."""
+        found: Ways[tuple[Predicate, ...]] = []
+        for place, end in self.place(at):
+            found.append(((Bears(what, place),), end))
+            if start := self.past_any(end, "and", ", and", ","):
+                for more, stop in self.single(start):
+                    found += [((Bears(what, place), *rest), last) for rest, last in self._borne(more, stop)]
+        return found
+
+
+def opposite_of(said: tuple[Predicate, ...]) -> tuple[Predicate, ...]:
+    """The opposite of one place that is said; nothing of more, and of what forms or looks so."""
+    return tuple(replace(one, no=not one.no) for one in said if isinstance(one, Place)) if len(said) == 1 else ()

@@ -49,11 +49,6 @@ CASES: dict[str, dict[str, Any]] = {
         "hold": ["A B^D^C", "A C^D^B"],
         "miss": ["A B^C^D", "A D^B^C", "B^D^C A", "A B^D C"],
     },
-    "Form a row of the yellow, cyan and brown blocks in any order and put the pink cube on the one in the middle.": {
-        "assets": {"yellow": 1, "cyan": 1, "brown": 1, "pink": 1},
-        "hold": ["yellow cyan^pink brown", "cyan brown^pink yellow"],
-        "miss": ["yellow^pink cyan brown", "yellow cyan brown^pink", "yellow cyan brown"],
-    },
 }
 
 

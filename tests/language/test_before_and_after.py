@@ -76,7 +76,7 @@ TOP_RIGHT: Meant = {"assets": {"R": 1}, "hold": ["R~-90", "R~-90 at=0,3"], "miss
         ("The cubes spell CATS at first. Take one away so that they spell CAT.", CAT),
         ("Two rows: the three big red blocks behind, the three small blue ones in front.", BIG_AND_SMALL),
         ("Spell STAR in a column, reading from back to front.", STAR),
-        ("The word STAR in a column.", STAR),
+        ("The word STAR in a column on the table.", STAR),
         ("the R lies with its top to the right", TOP_RIGHT),
         ("Turn the R so that its top is to the right.", TOP_RIGHT),
 

@@ -16,7 +16,7 @@ AWAY, NEARER = SUN.format("front", "back"), SUN.format("back", "front")
         ("Spell SUN in a column on the table, with the S nearest to me.", AWAY),
         ("Spell SUN in a column, with the N closest to the viewer and the S at the back.", NEARER),
         ("Lay SUN out in a column, with the last letter farthest away.", AWAY),
-        ("The letters of the word SUN in a column.", NEARER),
+        ("The letters of the word SUN in a column on the table.", NEARER),
         ("Spell SUN in a column, beginning at the near end.", AWAY),
         ("Spell SUN in a column with the N at the front and the U upside down.",
          f"{NEARER} The U block must be upside down."),
@@ -33,6 +33,7 @@ def test_the_end_at_which_it_begins(text: str, meaning: str) -> None:
         ("Spell SUN in a column, with the S nearest to me and the N at the front.", "contradiction"),
         ("Spell SUN in a column from back to front, with the S nearest to me.", "contradiction"),
         ("Spell SUN from front to back.", "misplaced"),
+        ("The letters of the word SUN in a column.", "ambiguous"),  # down a tower, or away along the table?
     ],
 )
 def test_ends_that_do_not_fit(text: str, code: str) -> None:

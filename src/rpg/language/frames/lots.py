@@ -150,13 +150,18 @@ def check_listed(pieces: Sequence[Piece]) -> None:
 
 
 def check_joined(pieces: Sequence[Piece]) -> None:
-    """A number of blocks without a look is one of all, and no item of a list.
+    """A number of blocks without a look is one of all, and no item of a list; and a lot is told at once.
 
     Raises:
-        Unclear: "a tower of red and three blocks".
+        Unclear: "a tower of red and three blocks", "four red blocks, three red blocks".
     """
     for n, piece in enumerate(pieces[1:-1], 1):
         kinds = {pieces[n - 1].kind, pieces[n + 1].kind}
+        beside = pieces[n - 1], pieces[n + 1]
+        if kinds == {"lot"} and piece.kind == "break" and all("color" in p.named for p in beside):
+            lot, other = map(lot_of, beside)
+            if lot.look == other.look and other.count and (lot.count or 0) > 1:
+                raise Unclear
         total = " ".join(p.words for p in pieces[n - 1 : n + 2] if p.kind == "total").split()
         if piece.words == "and" and kinds == {"lot", "total"} and _OF_ALL.isdisjoint(total):
             raise Unclear

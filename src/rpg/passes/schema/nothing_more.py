@@ -18,6 +18,7 @@ from rpg.ir.structures import Figure, Grid, Pyramid, Row, Stack, Staircase, Towe
 from rpg.ir.walk import atoms, within
 from rpg.language import lexicon
 from rpg.language.tokens import Token
+from rpg.passes.schema.said_of_figures import SAID_OF_FIGURES
 from rpg.passes.schema.said_of_success import SAID_OF_SUCCESS, Check, Parts
 
 _MARKS = frozenset({",", ".", ";", ":", "!", "?", "(", ")", "-"})
@@ -90,20 +91,6 @@ def _lowest(task: TaskSchema, told: Parts) -> bool:
         if isinstance(atom, Stack) and atom.order.by == "given" and atom.order.ranks:
             bearing |= {*atom.order.ranks[-1 if atom.order.first == "top" else 0]}
     return len(bearing) == 1 and bearing <= own
-
-
-_FIGURES: dict[str, tuple[type[Node], ...]] = {
-    **dict.fromkeys(("tower", "stack"), (On, Above, Stack, Towers)),
-    **dict.fromkeys(("row", "line", "column"), (Row,)),
-    "pyramid": (Pyramid,),
-    "wall": (Grid,),
-    "circle": (Figure,),
-}
-
-
-def _no_such(task: TaskSchema, told: Parts) -> bool:
-    """Whether no such figure is asked for."""
-    return not any(isinstance(atom, _FIGURES[told["figure"] or ""]) for atom in atoms(task.goal))
 
 
 def _piled(task: TaskSchema, told: Parts) -> bool:
@@ -225,7 +212,6 @@ _TOLD: tuple[tuple[str, Check], ...] = (
     (r"(?:the )?(?P<color>\w+)(?: one| block| cube)?(?: is| being| as)? (?:the )?(?:bottom|lowest|bottommost) "
      r"(?:one|block)?",
      _lowest),
-    (r"no (?P<figure>tower|stack|row|line|pyramid|wall|circle|column)(?: please)?", _no_such),
     (r"(?:no|without) (?:special |particular )?colou?r (?:constraints?|requirements?|preferences?|restrictions?)",
      _of_any_color),
     (r"(?:any|all) colou?rs?(?: (?:is|are|will))? (?:fine|ok|okay|allowed|good|do|possible|permitted)", _of_any_color),
@@ -233,6 +219,7 @@ _TOLD: tuple[tuple[str, Check], ...] = (
      _of_any_color),
     (r"(?:the )?colou?rs? (?:does|do) not matter(?: here)?", _of_any_color),
     *SAID_OF_SUCCESS,
+    *SAID_OF_FIGURES,
     (r"(?:it )?(?:is |counts as )?(?:a )?(?:fail|fails|failed|failure|false)(?: it)? otherwise", _anyway),
     (r"otherwise(?: it is| it)?(?: a)? (?:fail|fails|failed|failure|false)", _anyway),
     (f"the (?P<color>{'|'.join(sorted(lexicon.COLOR))})(?: one| block| cube)? (?:may|can) (?:go|be|stay|lie|move|stand|"

@@ -19,6 +19,8 @@ SIDES = {"left": ("left", 0), "right": ("left", -1), "front": ("front", 0), "nea
          "rear": ("front", -1)}  # fmt: skip
 """The side at which the order of the towers begins, and the place in it of the one on this side."""
 _END = "(?:leftmost|rightmost|left|right)"
+_DO = "(?:stack|pile)(?: up)?(?= (?:(?:all|the|these|those|up) )*(?:NUM )?(?:COLOR )?BLOCK)"
+"""What is done with blocks, no tower."""
 _DET = "the other|the|another|a|an|one|other"
 _ONE = "(?:one|of them)"
 _SIDE = "left|right|front|back|rear"
@@ -40,7 +42,7 @@ PATTERNS = [
         f"(?:(?:all )?(?:in|into|as|of) )?(?:exactly )?(?:the |these )?(?:(?P<count>NUM) )?{_ADJ}*"
         f"(?:(?P<color>COLOR) )?{_TS}"),
     *patterns("tower", None,
-        f"(?:(?P<det>{_DET}) )?{_ADJ}*(?:(?P<rank>{_MOST}|{_LEAST}) )?(?:(?P<color>COLOR) )?{_T}",
+        f"(?!{_DO})(?:(?P<det>{_DET}) )?{_ADJ}*(?:(?P<rank>{_MOST}|{_LEAST}) )?(?:(?P<color>COLOR) )?{_T}",
         f"(?:(?P<det>{_DET}) )(?:(?P<rank>{_MOST}|{_LEAST}) )?(?P<color>COLOR) one",
         f"the (?P<rank>{_MOST}|{_LEAST})(?: (?:one|{_T}))?(?: of (?:the NUM|them|the {_TS}))?(?! than)",
         f"(?P<det>the other|another|other)(?: one(?! BLOCK))?(?! (?:{_T}|ones|\\d))",
@@ -116,6 +118,7 @@ PATTERNS = [
     *patterns("all used", lambda match: match.groupdict().get("count"),
         "(?:and )?all of (?:them|these)(?: (?:are|must be|should be|get))? used", "no BLOCK (?:is |are )?left over",
         "none of (?:the (?:(?P<count>NUM) )?BLOCK|them) (?:is|are|being) (?:left over|left|unused|spare)"),
+    *patterns("glue", None, _DO),
     *patterns("glue", None, "(?:are )?available|(?:the )?(?:picture|image) shows"),
     *patterns("glue", None, "there is|there are|given|take|of which|when|where|so that|such that|has|have|"
         "having|exactly"),

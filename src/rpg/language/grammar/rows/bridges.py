@@ -1,5 +1,5 @@
-"""Bridges and arches, which are two blocks with one across both: "a bridge of three blocks", "the red block bridges the
-two blue ones", as rows that say it with "across"."""
+"""Bridges and arches of which it is told what lies across what: "the red block bridges the two blue ones", as rows that
+say it with "across". How "an arch of three blocks" is to look, and whether one can pass below it, is not told."""
 
 from __future__ import annotations
 
@@ -16,9 +16,6 @@ _PAIR = "((?:the |both )?two .+?|both .+?)"
 
 BRIDGES: tuple[Turn, ...] = (
     (f"^{_MAKE}an? {_BRIDGE} : (.+)$", "{1}"),
-    (f"\\ban? {_BRIDGE} {_OF} (three|3)(?= {CUBE}s| {COLOR} | and |$)", "a pyramid of {1}"),
-    (f"^{_MAKE}an? {_BRIDGE} {_OF} (two {COLOR} {CUBE}s) and (?:a|one) ({COLOR}) (?:{CUBE}|one)$",
-     "put a {2} block across {1}"),
     (f"^{_MAKE}an? {_BRIDGE} {_OF} (?:a|one) ({COLOR}) (?:{CUBE}|one) (?:on|over|across) (two .+)$",
      "put a {1} block across {2}"),
     (f"^((?:put |place |lay |set )?two {CUBE}s [^,.]*?) a third (?=(?:lying )?across (?:both|them|the two)\\b)",

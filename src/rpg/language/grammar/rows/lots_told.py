@@ -78,6 +78,10 @@ LOTS_AT_ONCE: tuple[Turn, ...] = (
      "each$", "make a group of {3} {1} blocks and a group of {3} {2} blocks"),
     (f"^{_MAKE} an? ({COLOR}) {_GROUP} and an? ({COLOR}) {_GROUP}(?: ,)? (?:from|with|out of) ({MANY}) {_BLOCK} of "
      "each(?: color)?(?: ,)? (with .+ in each.*)$", "group {3} {1} and {3} {2} blocks by color {4}"),
+    # a lot, and some of it
+    *((f"^({MANY} ({COLOR}) (?:block|cube)s) [,:;] (?:only |just )?{some} \\2 (?:block|cube)s? (?:{MUST} be |is |are )?"
+       f"(?=(?:on|in|at|next to|behind|beside|between|left|right|to)\\b)", f"{{1}} , {said} of them ")
+      for some, said in (("(?:one|an?)", "one"), (f"({MANY})", "{3}"))),
     # how they lie at the start, which is anywhere
     (f"^({_TOLD} .+?) {_MIXED}(?: on the table)?$", "{1}"),
     (f"^((?:the )?{_LOTS}) (?:are|lie|were|got|have been|got all) {_MIXED}(?: on the table)?$", "there are {1}"),

@@ -195,7 +195,12 @@ _ONE_MAT = f"(?:one|the (?:left|right|front|back|near|far|first)) ({PATCH})"
 _NO_ONE = f"(?!(?:.* (?:[.,;:]|and) )?(?:put )?one (?:of|on|{COLOR}|{BLOCK})\\b)"
 _OTHER = "(?<![^ ])the other(?: one| of them)?"
 _SOME = f"(?:{MANY}|an?|the|nothing)"
+_ON_THE_OTHER = f"(.*?\\b(?:on|onto|in|into) the other)(?: one| of them| {PATCH})?(?= [.,;!]|$)"
+_NO_BLOCKS = "(?:(?!blocks|cubes|bricks|towers|stacks)[^ ]+ )*?"
 ONE_AND_THE_OTHER: tuple[Turn, ...] = (
+    (f"^(.*\\b(?:two|2) {PATCHES} [.,:;] {_NO_BLOCKS}(?:on|onto|in|into) one)(?: of them| of (?:the )?(?:two |2 )?"
+     f"{PATCHES}| {PATCH}) {_ON_THE_OTHER}", "{1} {2}"),
+    (f"^(.*\\b(?:on|onto|in|into)) one of (?:the )?(?:two|2) {PATCHES} {_ON_THE_OTHER}", "{1} one patch {2} patch"),
     (f"\\bthe one (?={PATCH} .*\\bthe other\\b)", "one "),
     (f"^(.*\\b(?:two|2) {PATCHES} [.,:;] )one(?: of them)? (?={_STAYS} .*\\bthe other\\b)",
      "{1} one patch "),

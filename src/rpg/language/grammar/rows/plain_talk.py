@@ -232,6 +232,8 @@ PLAIN_TALK_AT_ONCE: tuple[Turn, ...] = (
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 PLAIN_TALK: tuple[Turn, ...] = (
+    # in whichever order the words are
+    (f"^((?:{PUT}|build|make|stack)) first ", "first {1} "),
     # what it is for
     (f"^(?:(?:i|we) (?:need|want|have|would like) )?(?:something |(?:an? |the |this )?{_ERRAND} )?(?:for|to (?:test|"
      f"train|try|check)) (?:my|our|the|this) (?:{_KIND} ){{0,2}}{_AGENT}(?: please)? :", ""),

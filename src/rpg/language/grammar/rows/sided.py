@@ -113,6 +113,9 @@ UTMOST_TOLD: tuple[Turn, ...] = (
     *((f"\\b(?:the )?{_FAR}{_ONES} (?:(?:out )?(?:to|towards|on|at) the )?{side}(?= ,| and| of| among|$)",
        f"{side}most")
       for side in ("left", "right")),
+    # which one of a row that is known
+    *((f"\\bthe {side} (block|cube|one)(?= of (?:the|that|this) (?:row|line)\\b)", f"the {side}most {{1}}")
+      for side in ("left", "right")),
     # in a row that is to be made, no one that is there
     (f"^(.+?) {_MUST_BE} (?:the )?({_MOST}){_ONES} (?:of|among|out of|from) (?!an? \\w)(.+?) (in an? [^,]*\\b(?:row|"
      "line|column)(?: on .+)?)$", "{3} must be {4} with {1} {2}"),

@@ -12,6 +12,8 @@ _STANDING = frozenset({"behind", "on", "in", "next", "under", "above", "between"
 """After these "its" was meant as "it is"."""
 _NAMED = frozenset({"a", "an", "not", "only", "just", "there"})
 """Before these "its" was meant as "it is" wherever it stands."""
+_BESIDE = (["to", "the"], ["right", "of"], ["left", "of"])
+"""Before these "its" was meant so behind what it is to be."""
 _POSED = {"sat": "sitting", "stood": "standing"}
 """In some places things "are sat" on each other."""
 _ADDRESSED = frozenset({"can", "could", "would", "will", "if", "do", "want", "need", "when", "once", "should", "must"})
@@ -30,7 +32,8 @@ def meant(tokens: list[Token], at: int) -> list[Token]:
     if token.word == "either" and at and ((tokens[at + 1 :] and tokens[at + 1].kind == "literal") or after == "the"):
         named = [t.word for t in tokens[at + 1 : at + 3]] == ["the", "word"] or tokens[at + 1].kind == "literal"
         return [] if named else [token]
-    stands = at > 0 and tokens[at - 1].word in ("so", "that", "until") and after in _STANDING
+    beside = after in _STANDING or [t.word for t in tokens[at + 1 : at + 3]] in _BESIDE
+    stands = at > 0 and tokens[at - 1].word in ("so", "that", "until") and beside
     if token.word == "its" and (stands or after in _NAMED):
         return [replace(token, word=word) for word in ("it", "is")]
     nice = [t.word for t in tokens[max(0, at - (token.word == "and")) :][:3]]

@@ -152,6 +152,11 @@ FREE = (
     *(f"{lead} {hues}"
       for lead in ("i do not care about", "do not care about", "never mind", "no matter", "i do not mind")
       for hues in ("colors", "the colors", "the color")),
+    *(f"{lead}{who} have no preference{tail}"
+      for who in ("i", "we")
+      for lead, tail in (*(("", f" {about} {hue}") for about in ("for", "on", "about", "regarding")
+                           for hue in ("color", "colors", "the color", "the colors")),
+                         *((f"for {hue} ", "") for hue in ("color", "colors", "the color", "the colors")))),
     "colors random", "color random", "nothing else counts", "it is fine either way", "fine either way",
     *(f"{the}order of {doing} {free}"
       for the in ("the ", "") for doing in ("stacking", "placing", "placement", "doing it")
@@ -203,7 +208,7 @@ LOOSE = tuple(
                  "how far away they are", "how far it is", "the distance", "the exact place",
                  "where exactly", "where on the table")
     for lead, free in (("it does not matter ", ""), ("does not matter ", ""), ("no matter ", ""),
-                       ("", " does not matter"), ("", " is up to you"),
+                       ("", " does not matter"), ("", " is up to you"), ("", " is not important"),
                        *((f"{who} do not {mind} ", "") for who in ("i", "we") for mind in ("mind", "care")))
 )  # fmt: skip
 """The same of places and ways round: what is told of a line or of a distance would not be so open."""

@@ -64,6 +64,7 @@ from rpg.language.grammar.talk.set_plainly import (
 )
 from rpg.language.grammar.talk.short_turns import (
     LETTING,
+    NOT_STACKED,
     anywhere_but,
     between_them,
     center_of_patch,
@@ -370,7 +371,7 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (between_them, frozenset({"between"})),
     (without_stacking, frozenset({"stacking"})),
     (without_letting, LETTING),
-    (not_stacked, frozenset({"stacked"})),
+    (not_stacked, NOT_STACKED),
     (anywhere_but, frozenset({"anywhere", "somewhere"})),
     (number_is, NUMBER),
     (both_of_so_many, frozenset({"both"})),

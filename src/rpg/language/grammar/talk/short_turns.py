@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from rpg.language import lexicon
+from rpg.language.phrases import length_at
 from rpg.language.tokens import Token
 
 _GAPS = frozenset({"gap", "space", "room"})
@@ -50,15 +51,31 @@ def without_letting(tokens: list[Token], words: list[str]) -> list[Token] | None
 LETTING = frozenset({"letting", "having", "allowing", "making"})
 
 
+_FLAT = ("lie", "lying", "laid", "lay")
+_NOT_STACKED = (("not", "stacked"), ("no", "stacking"), ("no", "stack"), ("no", "stacks"), ("no", "piling"),
+                ("without", "stacking"), ("without", "any", "stacking"),
+                *((*lead, lie, "flat") for lead in (("just",), ("only",), ("must",), ("they", "must"), ("should",),
+                                                    ("they", "should"), ("they", "just"), ("they",), ())
+                  for lie in _FLAT))  # fmt: skip
+NOT_STACKED = frozenset({"stacked", "stacking", "stack", "stacks", "piling", "flat"})
+"""One of these is said where blocks are told not to be on each other."""
+
+
 def not_stacked(tokens: list[Token], words: list[str]) -> list[Token] | None:
-    """ "(All three on the mat,) not stacked": without stacking them."""
+    """ "(All three on the mat,) not stacked", "no stacking", "they must lie flat": without stacking them."""
     for at in range(1, len(words) - 1):
-        ends = at + 2 == len(words) or words[at + 2] in (".", ",", "!", ";", "and")
+        end = at + length_at(words, at, _NOT_STACKED)
+        ends = end == len(words) or words[end] in (".", ",", "!", ";", "and", "please")
         set_off = words[at - 1] in (",", "but") or words[at - 1] in lexicon.PATCH
-        if words[at : at + 2] == ["not", "stacked"] and ends and set_off:
+        if end > at and ends and set_off and not (words[end - 1] == "flat" and _upright(words[:at])):
             said = [tokens[at].saying(word) for word in ("without", "stacking", "them")]
-            return [*tokens[: at - (words[at - 1] == "but")], *said, *tokens[at + 2 :]]
+            return [*tokens[: at - (words[at - 1] == "but")], *said, *tokens[end:]]
     return None
+
+
+def _upright(words: list[str]) -> bool:
+    """Whether it may be a figure that lies flat, and does not stand."""
+    return not {"letter", "shape", "wall", "pyramid", "triangle", "grid", "square", "staircase"}.isdisjoint(words)
 
 
 def anywhere_but(tokens: list[Token], words: list[str]) -> list[Token] | None:

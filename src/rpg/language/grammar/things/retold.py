@@ -6,6 +6,7 @@ import string
 
 from rpg.language.grammar.core import Parser
 from rpg.language.grammar.things.ones import says_ones
+from rpg.language.grammar.things.some_again import some_again
 from rpg.language.meaning import (
     Absolute,
     Amount,
@@ -37,6 +38,8 @@ def tally(items: tuple[Meaning, ...]) -> int:
 def retold(items: tuple[Meaning, ...]) -> bool:
     """ "two blocks, one red and one blue": the list tells the first item again, it does not add to it."""
     whole, last = items[0], items[-1]
+    if some_again(items):
+        return True
     if isinstance(last, Noun) and last.head == "any" and last.det == "the" and last.plural and last.traits.colors:
         return any(isinstance(x, Noun) and x.amount and x.traits.colors == last.traits.colors for x in items[:-1])
     if isinstance(last, Noun) and bare_color(last) and last.det == "bare" and last.amount is None and len(items) > 2:

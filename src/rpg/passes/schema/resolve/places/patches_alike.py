@@ -19,15 +19,32 @@ _MOST = 3
 def either_way_round(goal: g.Goal, scene: Scene, chosen: set[str]) -> g.Goal:
     """`goal` with any of the patches whose colour was `chosen` in the place of each other.
 
-    What is to be so in between is left as it is: which patch is meant is settled then by what comes first.
+    What is done step by step may begin with any of them, and comes to one way round in the end. Where a step is undone
+    again it is left as it is: which patch is meant is settled then by what comes first.
     """
     begun = {name for fact in scene.start_goals for name in names_in(fact)}
     told = set(names_in(goal))
     free = [t for t in scene.things.values() if t.patch and t.name in (chosen & told) - begun]
     looks = {(t.shape, t.size, t.long, t.extent, t.extra) for t in free}
-    if not 1 < len(free) <= _MOST or len(looks) > 1 or any(isinstance(x, g.Sequence | g.Always) for x in within(goal)):
+    over_time = [x for x in within(goal) if isinstance(x, g.Sequence | g.Always)]
+    if not 1 < len(free) <= _MOST or len(looks) > 1 or over_time not in ([], [goal]):
         return goal
     names = tuple(t.name for t in free)
+    return _in_steps(goal, names, scene) if isinstance(goal, g.Sequence) else _any_way(goal, names, scene)
+
+
+def _in_steps(goal: g.Sequence, names: tuple[str, ...], scene: Scene) -> g.Goal:
+    """Each step on any of the patches, and all of them in one way round."""
+    ends = conj([stage.goal for stage in goal.stages], goal.span)
+    whole = [part for part in conjuncts(_any_way(ends, names, scene)) if part not in conjuncts(ends)]
+    if not whole or any(stage.undone for stage in goal.stages):
+        return goal
+    stages = tuple(g.Stage(goal=_any_way(stage.goal, names, scene)) for stage in goal.stages)
+    return conj([goal.model_copy(update={"stages": stages}), *whole], goal.span)
+
+
+def _any_way(goal: g.Goal, names: tuple[str, ...], scene: Scene) -> g.Goal:
+    """The goal with these patches in every way round."""
     ways: dict[object, list[g.Goal]] = {}
     for way in permutations(names):
         turned = rename(goal, dict(zip(names, way, strict=True)))

@@ -1,12 +1,12 @@
-"""A word along a column of the table: "spell STAR in a column", read from the back as on a page where nothing is said
-of the way, "..., with the S nearest to me"."""
+"""A word along a column of the table: "spell STAR in a column on the table", read from the back as on a page where
+nothing is said of the way, "..., with the S nearest to me". A bare column may as well be a tower that is read down."""
 
 from __future__ import annotations
 
 from rpg.ir import goal as g
 from rpg.ir import structures as s
 from rpg.ir.order import Order
-from rpg.language.meaning import Absolute, At, Noun, Structure, Traits
+from rpg.language.meaning import Absolute, At, Noun, Structure, TableTop, Traits
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.things.world import Built, Scene, refuse
 
@@ -46,6 +46,9 @@ def along_column(
         raise refuse("contradiction", f"{text} cannot begin at both ends", shape.span, "keep one of them")
     spec.toward, spec.orders = [], []
     if not begins:
+        if not any(isinstance(getattr(place, "landmark", None), TableTop) for place in spec.places):
+            message = "a word in a column could be read down a tower, or away along the table"
+            raise refuse("ambiguous", message, into.span, "say 'in a tower', or 'in a column on the table'")
         scene.assume("the word is read from back to front")
     ranks = tuple((name,) for name in names)
     order = Order(by="given", ranks=ranks, first="front" if "front" in begins else "back")

@@ -151,8 +151,8 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
             own.orders = [] if isinstance(look, Coord) else own.orders
         built += more
         goals += [close_by(x, scene) for x in atoms]
-        if color and not sized:
-            scene.vague.update(n for b in more for n in b.members)
+        if color:
+            (scene.painted if sized else scene.vague).update(n for b in more for n in b.members)
     members = [n for b in built for n in b.members]
     _as_long_as_told(built, own, shape)
     if len(set(members)) < len(members):

@@ -50,13 +50,14 @@ def _apposed(scene: Scene) -> None:
     """ "Three blocks, tan ones": so many without a look, and some of a look without a number, may be the same; so may
     the five letters beside the word ROBOT, and just as many that are named in another sentence."""
     blocks = [t for t in scene.blocks() if not t.extra]
-    counted = [t for t in blocks if t.elastic is None and not (t.color or t.label or t.kind)]
+    bare = [t for t in blocks if not (t.color or t.label or t.kind) or t.name in scene.painted]
+    counted = [t for t in bare if t.elastic is None]
     letters = [t for t in blocks if t.kind == "letter"]
     if not counted and not letters:
         return
     spelt = [t for t in letters if t.label]
     blank = all(t.plain for t in counted)  # none of these is one of the letters
-    looks = [t for t in blocks if t.color or (t.label and not blank)]
+    looks = [t for t in blocks if t not in bare and (t.color or (t.label and not blank))]
     uncounted = [t for t in looks if t.elastic is not None]
     lots = [{t.name for t in lot} for lot in (counted, looks)]
     joint = any(all(lot & {*built.members} for lot in lots) for built in scene.built)

@@ -144,7 +144,8 @@ class Scene:
 
     `sides`: where structures stand that were built together, by key.
     `heights`: of towers that were built together, by their blocks; `lots`: their blocks where they were told apart.
-    `vague`: blocks of which neither look nor number was said, though they have been given a colour.
+    `vague`: blocks of which neither look nor number was said, though they have been given a colour; `painted`: those of
+    which no look was said, so many as they are.
     `lenient`: of two orders for the same blocks the first is taken, to see what the task would be.
     `besides`: what "another" and "the other" stand for, each with its words.
     `surveyed`: all blocks of some look that there were when something was said of whichever there are.
@@ -223,6 +224,7 @@ class Scene:
     each_in: int = 0
     spare: set[str] = field(default_factory=set)
     vague: set[str] = field(default_factory=set)
+    painted: set[str] = field(default_factory=set)
     sides: dict[int, str] = field(default_factory=dict)
     heights: dict[tuple[str, ...], tuple[int, ...]] = field(default_factory=dict)
     lots: dict[tuple[str, ...], tuple[tuple[str, ...], ...]] = field(default_factory=dict)

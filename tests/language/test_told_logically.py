@@ -317,7 +317,7 @@ def test_what_there_is_told_in_between(text: str, meant: Meant) -> None:
         ("Either both red blocks are on the mat, or both blue ones.",
          {"assets": {"red": 2, "blue": 2, "patch": 1}, "hold": ["red . red at=patch", "blue . blue at=patch"],
           "miss": ["red . blue at=patch ; red ; blue", "red at=patch"]}),
-        ("Use a red, a blue and a green block. Either the red block is on the blue one, or the red block is left of green.",
+        ("Use a red, a blue and a green block. Either the red one is on the blue one, or the red one is left of green.",
          {"assets": {"red": 1, "blue": 1, "green": 1}, "hold": ["blue^red ; green", "red green ; blue"],
           "miss": ["blue green ; red", "green red ; blue"]}),
     ],

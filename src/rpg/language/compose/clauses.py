@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from rpg.language import lexicon
 from rpg.language.compose.items import FIGURES
+from rpg.language.compose.series import counted
 from rpg.language.compose.syntax import (
     Bears,
     Clause,
@@ -35,7 +36,7 @@ _LEADS = (
 )  # fmt: skip
 _BUILD = frozenset({
     "build", "make", "construct", "create", "form", "assemble", "lay", "arrange", "set", "erect", "produce",
-    "prepare", "put", "stack", "stand", "place", "raise", "draw", "compose",
+    "prepare", "put", "stack", "stand", "place", "raise", "draw", "compose", "show", "write",
 })  # fmt: skip
 _BUILD_ME = ("me", "up", "out", "down", "together")
 _PUT = frozenset({
@@ -96,8 +97,8 @@ class Reader(Verbs):
                 continue
             if end >= len(self.items):
                 yield Step(clause, end)
-            for words in _SEPARATORS:
-                if start := self.past_any(end, words):
+            for words in (*_SEPARATORS, ""):
+                if (start := self.past(end, words.split())) and (words or self.text(end) == "whose"):
                     yield Step(clause, self._begin(start), said=words in _WITH, joined=words not in _STOPS)
             for words in _THEN:
                 if start := self.past_any(end, words):
@@ -115,6 +116,8 @@ class Reader(Verbs):
         found: Ways[Clause] = []
         if self.text(at) == "which":
             found += [(Clause(Pronoun("which"), said, "must"), end) for said, end in self.verbs(at + 1)]
+        for side, begin in self.counting(at):
+            found += [(replace(said, subject=counted(said.subject, side)), end) for said, end in self.clause(begin)]
         if begin := self.past_any(at, *_START, *(f"{start} ," for start in _START), "start :"):
             found += [(replace(said, mood="start"), end) for said, end in self.clause(begin)]
         if first := self.past_any(at, "first", "first ,", "first of all ,"):
@@ -165,7 +168,9 @@ class Reader(Verbs):
             existing = [way for way in self._existing(lined) if not is_figure(way[0])]  # which way they face is open
             found += [(Clause(what, (Made(_ROW), *said), "build"), end) for what, said, end in existing]
         if verb in _STACK and not no:
-            found += [(Clause(what, (Made(_TOWER),), "build"), end) for what, end in self.phrase(start)]
+            for what, end in self.phrase(start):
+                for tower, stop in ((_TOWER, end), *self.ordered(_TOWER, end)):
+                    found.append((Clause(what, (Made(tower),), "build"), stop))
         if no:
             denied = [(replace(clause, predicates=opposite_of(clause.predicates)), end) for clause, end in found]
             found = [(clause, end) for clause, end in denied if clause.predicates]
@@ -177,10 +182,14 @@ class Reader(Verbs):
         for what, end in self.phrase(start):
             if not laid or (isinstance(what, Noun) and what.noun in FIGURES):
                 found.append((Clause(what, (), "build"), end))
+                found += [(Clause(what, (), "build", said), stop) for said, stop in self.last_at(what, end)]
                 found += [(Clause(what, said, "build"), stop) for said, stop in self._rest(end)]
-            for into in {self.past_any(end, way) for way in _INTO} - {0}:
-                for figure, stop in self.single(into):
+            sorted_so = [(row.order, at) for row, at in self.ordered(Noun(noun="row"), end)]
+            intos = [(order, self.past_any(at, way)) for order, at in [("", end), *sorted_so] for way in _INTO]
+            for order, into in dict.fromkeys(intos):
+                for figure, stop in self.single(into) if into else ():
                     if isinstance(figure, Noun) and figure.noun in FIGURES:
+                        figure = replace(figure, order=order) if order else figure
                         found.append((Clause(what, (Made(figure),), "build"), stop))
                         found += [
                             (Clause(what, (Made(figure), *said), "build"), last) for said, last in self._rest(stop)
@@ -219,7 +228,7 @@ class Reader(Verbs):
     def _statement(self, at: int) -> Ways[Clause]:
         found: Ways[Clause] = []
         for what, stop in self.phrase(at):
-            for aside, start in ((None, stop), *self._aside(stop)):
+            for aside, start in ((None, stop), *self._aside(stop), *self.last_at(what, stop)):
                 mood = "must" if self.past_any(start, *AUX, "not") else "so"
                 mood = "may" if self.text(start) in {"may", "can"} and self.text(start + 1) != "not" else mood
                 found += [(Clause(what, said, mood, aside), end) for said, end in self.verbs(start)]
@@ -241,6 +250,10 @@ class Reader(Verbs):
             at + 1 if self.past_any(at + 1, *_LINED) and self.text(at) == "," else at
         )
         looks: Ways[tuple[Predicate, ...]] = [((Looks(how),), end) for how, end in self._ordered(start)]
+        if self.text(at) == ",":
+            looks += [
+                ((place,), end) for place, end in self.place(at + 1) if place.relation in {"in turn", "side by side"}
+            ]
         if color := lexicon.COLOR.get(self.text(start)):
             looks.append(((Looks(Noun(color=color)),), start + 1))
         if end := self.past_any(start, *_LINED):

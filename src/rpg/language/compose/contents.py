@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterator
-from dataclasses import replace
 
-from rpg.language.compose.heads import Heads
-from rpg.language.compose.syntax import Chain, Listing, Noun, Phrase, Place, Predicate
+from rpg.language import lexicon
+from rpg.language.compose.series import Series
+from rpg.language.compose.syntax import Both, Chain, Clause, Listing, Noun, Phrase, Place, Predicate
 from rpg.language.compose.words import Ways
 
 _MADE_OF = (
@@ -17,7 +16,7 @@ _MADE_OF = (
 )  # fmt: skip
 
 
-class Contents(Heads, ABC):
+class Contents(Series, ABC):
     """Reads what stands behind the noun for a figure."""
 
     @abstractmethod
@@ -59,14 +58,8 @@ class Contents(Heads, ABC):
 
     def _heights(self, at: int) -> Ways[Phrase]:
         """ "two, three and four blocks high"."""
-        heights: list[int] = []
-        while self.number(at):
-            heights.append(self.number(at))
-            at = self.past_any(at + 1, "and", ",", ", and") or at + 1
-        at += self.text(at) == "block"
-        if len(heights) < 2 or self.text(at) not in {"high", "tall"}:
-            return []
-        return [(Listing(tuple(Noun(count=n, noun="block", many=True) for n in heights)), at + 1)]
+        heights, end = self.heights(at)
+        return [(Listing(tuple(Noun(count=n, noun="block", many=True) for n in heights)), end)] if heights else []
 
     def _listing(self, at: int) -> Ways[Phrase]:
         """What each of several figures is made of, one after the other."""
@@ -86,6 +79,10 @@ class Contents(Heads, ABC):
     def _listed(self, at: int) -> Ways[Phrase]:
         """ "one red on blue", "one of three red blocks", "green on yellow"."""
         found: Ways[Phrase] = [(chain, end) for chain, end in self.single(at) if isinstance(chain, Chain)]
+        start = at + (self.text(at) in {"a", "one"})
+        if (color := lexicon.COLOR.get(self.text(start))) and start > at:
+            end = start + 1 + (self.text(start + 1) == "one")
+            found.append((Noun(color=color, noun="block", many=True), end))
         if one := self.past_any(at, "one of them", "one", "the other one", "the other", "another"):
             at = one - 1
             of = self.past_any(at + 1, "of", "with", "made of", "is", "has")
@@ -98,21 +95,11 @@ class Contents(Heads, ABC):
                     found.append((Noun(count=self.number(of), noun="block", many=True), of + 1))
         return found
 
-    def _measured(self, noun: Noun, at: int) -> Iterator[tuple[Noun, int]]:
-        """ "three high", "three wide and two high", "two blocks high and three wide"."""
-        start = at + (self.text(at) in {",", "which", "that"})
-        sizes: dict[str, int] = {}
-        while True:
-            start += self.text(start) in {"and", "of"} and bool(sizes)
-            if not self.number(start):
-                break
-            end = start + 1 + (self.text(start + 1) == "block")
-            measure = {"high": "high", "tall": "high", "wide": "wide", "long": "wide"}.get(self.text(end))
-            if measure is None:
-                break
-            sizes[measure] = self.number(start)
-            start = end + 1
-        if "high" in sizes and "wide" in sizes:
-            yield replace(noun, size=(sizes["wide"], sizes["high"])), start
-        elif sizes:
-            yield replace(noun, size=tuple(sizes.values())), start
+    def last_at(self, what: Phrase, at: int) -> Ways[Clause]:
+        """ "(a plus of four red blocks and a blue one) in the middle": where the last of its blocks is."""
+        content = what.content if isinstance(what, Noun) else None
+        last = content.parts[-1] if isinstance(content, Both) else None
+        if not isinstance(last, Noun) or not last.color or last.count > 1 or last.many:
+            return []
+        one = Noun(det="the", color=last.color, noun="block")
+        return [(Clause(one, (place,), "must"), end) for place, end in self.place(at) if place.of is None]

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from math import isqrt, prod
 
-from rpg.language.compose.items import FIGURES, PARTS
-from rpg.language.compose.places_of import columns, places
+from rpg.blocks.figures import FEWEST
+from rpg.language.compose.items import FIGURES, PARTS, SYMBOL_KINDS, shows
+from rpg.language.compose.lined import line_up, of_line
+from rpg.language.compose.places_of import DRAWN, line_of, places, steps
 from rpg.language.compose.scene import Figure, Ref, Scene, Unclear
 from rpg.language.compose.syntax import Both, Chain, Label, Listing, Noun, Phrase, Pronoun
 
@@ -15,9 +18,13 @@ Resolve = Callable[[Scene, Phrase], Ref]
 ALL = frozenset({"each", "all", "both"})
 """What is said of every one of several."""
 _SIDES = frozenset({"left", "right"})
-_TOWARD = {"left": "to the left of", "right": "to the right of", "near": "in front of", "far": "behind"}
-_OPPOSITE = {"left": "right", "right": "left", "near": "far", "far": "near"}
-_DEFAULT: dict[str, int] = {"plus": 5}
+_LINED = frozenset({"left", "right", "middle", "outer", "end"})
+_READ = frozenset({"word", "equation"})
+"""What is read from the left."""
+TOWARD = {"left": "to the left of", "right": "to the right of", "near": "in front of", "far": "behind"}
+OPPOSITE = {"left": "right", "right": "left", "near": "far", "far": "near"}
+_SOLID = frozenset({"square", "grid", "wall", "cube"})
+"""What is told by how wide, deep and high it is."""
 
 
 def figures_of(scene: Scene, noun: Noun, resolve: Resolve) -> Ref:
@@ -32,19 +39,26 @@ def figures_of(scene: Scene, noun: Noun, resolve: Resolve) -> Ref:
         found = [n for n, figure in enumerate(scene.figures) if figure_fits(scene, figure, noun)]
         found = _ranked(scene, found, noun)
         if found:
-            many = noun.many or noun.det in ALL
+            many = noun.many or noun.count > 1 or noun.det in ALL
             if (not many and len(found) > 1) or (noun.count and noun.count != len(found)) or noun.det == "any":
                 raise Unclear
             for n in found:
                 scene.figures[n].implied = False
             return Ref("figure", found, each=noun.det == "each")
         listed = isinstance(noun.content, Listing) and not scene.figures
-        if ((noun.many or noun.det in ALL) and not listed) or (noun.content is None and not noun.size):
+        bare = noun.content is None and not noun.size and not noun.word
+        if ((noun.many or noun.det in ALL) and not listed) or bare:
             raise Unclear
-    if noun.nth or noun.bound or set(noun.ranks) - {"tall", "short"}:
+    if noun.nth or noun.bound or set(noun.ranks) - {"tall", "short", "hollow", "full"}:
         raise Unclear
     if noun.count > 1 and (noun.made == "from" or (isinstance(noun.content, Both) and noun.made != "each")):
         raise Unclear  # these are all of their blocks, or those of each
+    if kind in {"row", "line"} and isinstance(noun.content, Noun) and noun.content.noun == "tower":
+        towers = resolve(scene, noun.content)
+        if not towers.fresh or noun.count > 1 or noun.color or noun.size:
+            raise Unclear
+        line_up(scene, towers.ids, from_left=False)
+        return towers
     if isinstance(noun.content, Listing):
         if noun.count not in {0, len(noun.content.parts)}:
             raise Unclear
@@ -90,8 +104,12 @@ def _same_blocks(scene: Scene, figure: Figure, content: Phrase) -> bool:
 
 def _ranked(scene: Scene, found: list[int], noun: Noun) -> list[int]:
     """Those of the figures that are the tall, the short, the first, the last ones."""
+    if any(set(line) == set(found) for line in scene.lines) and _LINED & set(noun.ranks):
+        return of_line(scene, found, noun.ranks, noun.nth, noun.count)
     for rank in noun.ranks:
         heights = [len(scene.figures[n].blocks) for n in found]
+        if rank in {"hollow", "full"}:
+            continue
         if rank in {"tall", "short"}:
             if len(found) < 2:
                 continue
@@ -115,7 +133,7 @@ def _is_farthest(scene: Scene, n: int, found: list[int], rank: str) -> bool:
     if rank == "middle":
         sides = [r for r in ("left", "near") if all(_is_between(scene, n, found, r) for _ in found)]
         return bool(sides)
-    if rank not in _TOWARD:
+    if rank not in TOWARD:
         raise Unclear
     return all(_is_toward(scene, n, other, rank) for other in found if other != n)
 
@@ -129,8 +147,8 @@ def _is_between(scene: Scene, n: int, found: list[int], rank: str) -> bool:
 
 def _is_toward(scene: Scene, a: int, b: int, rank: str) -> bool:
     return any(
-        (fact.said.endswith(_TOWARD[rank]) and fact.a.ids == [a] and fact.b.ids == [b])
-        or (fact.said.endswith(_TOWARD[_OPPOSITE[rank]]) and fact.a.ids == [b] and fact.b.ids == [a])
+        (fact.said.endswith(TOWARD[rank]) and fact.a.ids == [a] and fact.b.ids == [b])
+        or (fact.said.endswith(TOWARD[OPPOSITE[rank]]) and fact.a.ids == [b] and fact.b.ids == [a])
         for fact in scene.facts
         if fact.a.kind == "figure" and fact.b is not None and fact.b.kind == "figure" and not fact.no
     )
@@ -141,8 +159,11 @@ def _made(scene: Scene, noun: Noun, kind: str, resolve: Resolve) -> int:
     content, size, here = noun.content, noun.size, list(scene.here)
     if isinstance(content, Noun) and content.noun in {"block", "one", ""} and not content.color and content.count \
             and content.det == "" and not content.of and len(size) < 2 and not scene.stock:  # fmt: skip
+        if content.bound not in {"", "exactly"} or prod(size or (content.count,)) != content.count:
+            raise Unclear
         size, content = size or (content.count,), None
-    figure = Figure(kind, [], size if len(size) == 2 else (), noun.word)
+    figure = Figure(kind, [], size if len(size) > 1 else (), noun.word, way=noun.way)
+    figure.counted = isinstance(content, Noun) and content.count > 0
     if isinstance(content, Chain):
         figure.blocks = [_storey(scene, of, resolve) for of in reversed(content.parts)]
         figure.told = True
@@ -150,13 +171,16 @@ def _made(scene: Scene, noun: Noun, kind: str, resolve: Resolve) -> int:
             raise Unclear
     elif content is not None:
         if isinstance(content, Noun) and content.many and not content.count and content.det == "" and size:
-            content = replace(content, count=size[0] if len(size) == 1 else size[0] * size[1])
+            content = replace(content, count=prod(size))
         ref = resolve(scene, content)
         if ref.kind != "block" or ref.bound or ref.no:
             raise Unclear
         figure.blocks = list(ref.ids)
         figure.free = isinstance(content, Both) and any(isinstance(p, Noun) and p.count > 1 for p in content.parts)
-    elif noun.word:
+    elif noun.order == "alternating":
+        figure.blocks = _alternating(scene, noun, size)
+        figure.alternates = True
+    elif noun.word:  # a word or an equation: a block for each of its symbols
         if any(block.label in noun.word for block in scene.blocks if block.label):
             raise Unclear
         figure.blocks = [scene.new_blocks(1, "", letter)[0] for letter in noun.word]
@@ -167,13 +191,18 @@ def _made(scene: Scene, noun: Noun, kind: str, resolve: Resolve) -> int:
             size = (len(alike[-1].blocks),)
         if not noun.color and any(scene.blocks[f.blocks[0]].color for f in scene.figures):
             raise Unclear  # of the same colour as that one, or of another
-        many = size[0] if len(size) == 1 else size[0] * size[1] if len(size) == 2 else _DEFAULT.get(kind, 0)
+        usual = kind == "plus" or (kind in DRAWN and noun.color)
+        if usual and not size and scene.stock:
+            raise Unclear  # of those that there are
+        many = prod(size) if all(size) and size else FEWEST[kind] if usual else 0
         figure.blocks = scene.new_blocks(many, noun.color)
     if noun.color and any(scene.blocks[n].color != noun.color for n in figure.blocks):
         raise Unclear
-    _check_size(figure, size)
+    _check_size(figure, size, noun)
     if len(figure.blocks) < 2 or any(n in f.blocks for f in scene.figures for n in figure.blocks):
         raise Unclear
+    if noun.order and not figure.alternates:
+        _put_in_order(scene, figure, noun.order)
     scene.figures.append(figure)
     scene.here = here  # "it" is the figure, not what it is made of
     return len(scene.figures) - 1
@@ -189,6 +218,15 @@ def _storey(scene: Scene, phrase: Phrase, resolve: Resolve) -> int:
     return _one(scene, phrase, resolve)
 
 
+def _alternating(scene: Scene, noun: Noun, size: tuple[int, ...]) -> list[int]:
+    """Blocks of two colours in turn: as many of each, or one more of the first."""
+    if len(size) != 1 or noun.noun not in {"tower", "row", "line"} or size[0] < 2:
+        raise Unclear
+    colors = noun.word.split()
+    lots = [iter(scene.new_blocks((size[0] + 1 - n) // 2, color)) for n, color in enumerate(colors)]
+    return [next(lots[n % 2]) for n in range(size[0])]
+
+
 def _one(scene: Scene, phrase: Phrase, resolve: Resolve) -> int:
     ref = resolve(scene, phrase)
     if ref.kind != "block" or len(ref.ids) != 1:
@@ -196,28 +234,60 @@ def _one(scene: Scene, phrase: Phrase, resolve: Resolve) -> int:
     return ref.ids[0]
 
 
-def _check_size(figure: Figure, size: tuple[int, ...]) -> None:
-    """A square of four is two by two; what is said of the size has to fit the blocks."""
-    many = len(figure.blocks)
-    if figure.kind in {"square", "grid", "wall"}:
-        if figure.kind == "square" and not size and many == 4:
-            size = (2, 2)
-        if len(size) != 2 or size[0] * size[1] != many:
+def _check_size(figure: Figure, size: tuple[int, ...], noun: Noun) -> None:
+    """What is said of the size has to fit the blocks. A square of four is two by two, one of nine is filled."""
+    many, kind = len(figure.blocks), figure.kind
+    if kind not in _SOLID:
+        unlike = size and size[0] != many and kind in {"tower", "row", "column", "staircase", "pyramid"}
+        if len(size) > 1 or unlike or (kind == "staircase" and not steps(many)):
             raise Unclear
-        figure.size = size if figure.kind == "wall" else (size[1], size[0])
-    elif len(size) > 1 or (size and size[0] != many and figure.kind in {"tower", "row", "column"}):
+        return
+    side = isqrt(many)
+    if kind == "square" and not size and "hollow" not in noun.ranks and (side < 4 or "full" in noun.ranks):
+        size = (side, side) if side * side == many else ()
+    if kind == "square" and not size and many % 4 == 0 and many >= 8 and (many != 16 or "hollow" in noun.ranks):
+        return
+    if kind == "cube":
+        edge = round(many ** (1 / 3))
+        size = size or (edge, edge, edge)
+    if kind == "wall" and 0 in size and many % max(size) == 0:
+        size = tuple(n or many // max(size) for n in size)
+    uneven = kind in {"cube", "square"} and len({*size}) > 1
+    if len(size) != (3 if kind == "cube" else 2) or prod(size) != many or uneven:
         raise Unclear
-    if columns(figure) and figure.kind == "square":
-        figure.kind = "grid"
+    figure.size = size if kind in {"wall", "cube"} else (size[1], size[0])
+    figure.kind = "grid" if kind == "square" else kind
+
+
+def _put_in_order(scene: Scene, figure: Figure, order: str) -> None:
+    """ "In alphabetical order", "descending": by what its blocks show; from the left, or from the bottom up."""
+    labels = [scene.blocks[n].label for n in figure.blocks]
+    letters = order == "alphabetical"
+    if figure.kind not in {"row", "line", "tower"} or figure.told:
+        raise Unclear
+    if not all(label.isalpha() if letters else label.isdigit() for label in labels):
+        raise Unclear
+    figure.blocks.sort(key=lambda n: scene.blocks[n].label, reverse=order == "descending")
+    figure.told = figure.sided = figure.in_order = True
+
+
+def has_first(figure: Figure) -> bool:
+    """Whether its blocks are read one after the other, so that one is the first and one the last."""
+    return figure.kind in _READ or figure.in_order
 
 
 def part(scene: Scene, noun: Noun, resolve: Resolve) -> Ref:
     """The blocks of a figure at some of its places."""
     figures = whole_figures(scene, noun, resolve)
-    said = (*noun.ranks, *((noun.noun,) if noun.noun in PARTS | {"row", "column"} else ()))
+    unit = "step" if noun.noun == "one" and figures[0].kind == "staircase" else noun.noun
+    said = (*noun.ranks, *((unit,) if unit in PARTS | {"row", "column"} else ()))
+    if has_first(figures[0]):
+        first, last = ("bottom", "top") if figures[0].kind == "tower" else ("left", "right")
+        said = tuple({"last": last, "first": first}.get(rank, rank) for rank in said) or ((first,) if noun.nth else ())
     ids = []
     for figure in figures:
-        at = places(figure, said, noun.nth, noun.count)
+        inner = noun.many and not noun.count and said == ("middle",)
+        at = places(figure, said, noun.nth, len(figure.blocks) - 2 if inner else noun.count)
         if figure.stage < 0 and scene.subject is not None:
             raise Unclear  # what is put there is on the whole figure, or on what is left of it
         if noun.det == "other":
@@ -228,11 +298,13 @@ def part(scene: Scene, noun: Noun, resolve: Resolve) -> Ref:
                 raise Unclear
         found = [scene.at(figure, n) for n in at]
         scene.place = (figure, at[0]) if len(at) == 1 else None
-        figure.sided |= bool(_SIDES & set(said)) and figure.kind in {"row", "line"}
+        figure.sided |= figure.kind in _READ or (bool(_SIDES & set(said)) and figure.kind in {"row", "line"})
         ids += found
     if noun.color and any(scene.blocks[n].color != noun.color for n in ids):
         raise Unclear
-    whole = noun.noun in {"row", "column", "layer", "side"}
+    whole = unit in {"row", "column", "layer", "side", "step"}
+    if noun.noun in SYMBOL_KINDS and not all(shows(scene.blocks[n].label, noun.noun) for n in ids):
+        raise Unclear
     if not noun.many and noun.det not in ALL and not noun.count and len(ids) > len(figures) and not whole:
         raise Unclear
     if noun.count and noun.count != len(ids):
@@ -250,9 +322,13 @@ def whole_figures(scene: Scene, noun: Noun, resolve: Resolve) -> list[Figure]:
         ref = resolve(scene, noun.of)
         if ref.kind == "figure":
             return [scene.figures[n] for n in ref.ids]
-        held = [scene.figure_of(n) for n in ref.ids]
-        if held and all(f is held[0] for f in held) and held[0] is not None and len(held[0].blocks) == len(ref.ids):
-            return [held[0]]
+        held = scene.figure_of(ref.ids[0]) if ref.kind == "block" else None
+        if held is None or not set(ref.ids) <= set(held.blocks):
+            raise Unclear
+        if len(held.blocks) == len(ref.ids):
+            return [held]
+        if isinstance(noun.of, Noun) and noun.of.noun in {"row", "column", "layer", "step"}:
+            return [line_of(held, noun.of.noun, ref.ids)]
         raise Unclear
     for spoken in (scene.here, scene.before):
         found = {n for ref in spoken if ref.kind == "figure" for n in ref.ids}
@@ -267,5 +343,5 @@ def whole_figures(scene: Scene, noun: Noun, resolve: Resolve) -> list[Figure]:
 
 
 def within(scene: Scene) -> bool:
-    """Whether a row that is spoken of is one of a grid or a wall."""
-    return bool(scene.figures) and scene.figures[-1].kind in {"grid", "wall"}
+    """Whether a row that is spoken of is one of a grid, a wall, a cube or a pyramid."""
+    return bool(scene.figures) and scene.figures[-1].kind in {"grid", "wall", "cube", "pyramid"}

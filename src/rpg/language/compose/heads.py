@@ -6,9 +6,9 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from rpg.language import lexicon
-from rpg.language.compose.items import FIGURE, PART, PATCH, RANK, SYMBOL, TABLE
+from rpg.language.compose.items import PART, PATCH, RANK, SYMBOL, TABLE
+from rpg.language.compose.measures import Measures
 from rpg.language.compose.syntax import Label, Noun, Phrase
-from rpg.language.compose.words import Text
 
 TOLD_BY = frozenset({"block", *SYMBOL})
 """What stands ahead of a symbol: "the cube Q", "the letters A and B"."""
@@ -43,7 +43,7 @@ RELATIONS = sorted(
 )
 
 
-class Heads(Text):
+class Heads(Measures):
     """Reads the nouns of phrases, without what stands behind them."""
 
     def _labels(self, at: int) -> Iterator[tuple[Phrase, int]]:
@@ -94,25 +94,35 @@ class Heads(Text):
             yield from self._head(at + 1, replace(noun, ranks=(*noun.ranks, RANK[text])))
             if noun.det == "the" and RANK[text] in {"tall", "short", "former", "latter", "last"}:
                 yield replace(noun, ranks=(*noun.ranks, RANK[text]), noun="one"), at + 1
+        if noun.ranks and not noun.count and item.number > 1 and noun.det == "the":
+            yield replace(noun, count=item.number, noun="one"), at + 1  # "the outer two"
         if text in lexicon.ORDINAL and noun.det != "a":
             nth = lexicon.ORDINAL[text]
             yield replace(noun, nth=nth, noun="one"), at + 1
             yield from self._head(at + 1, replace(noun, nth=nth))
-        if text in {"plain", "such", "full", "filled", "more"}:
+        if text in {"plain", "such", "more"}:
             yield from self._head(at + 1, noun)
-        if text == "dims":
-            size = tuple(int(n) for n in item.value.split("x"))
-            yield from self._head(at + 1, replace(noun, size=size))
-        if item.number and self.text(at + 1) in {"block", "high"} and self.text(at + 2) in FIGURE:
-            yield from self._head(at + 2, replace(noun, size=(item.number,)))
-        if item.number and self.text(at + 1) == "by" and (other := self.number(at + 2)):
-            yield from self._head(at + 3, replace(noun, size=(item.number, other)))
-        kind = FIGURE.get(text) or PART.get(text) or ("block" if text == "block" else "") or SYMBOL.get(text, "")
+        for with_size, end in self.sized(noun, at):
+            yield from self._head(end, with_size)
+        if text in {"first", "last"} and (many := self.number(at + 1)) > 1 and noun == Noun(det="the"):
+            yield from self._head(at + 2, replace(noun, ranks=(text,), count=many))
+        if text in {"even", "odd"} and (SYMBOL.get(self.text(at + 1)) == "digit" or self.text(at + 1) == "one"):
+            yield replace(noun, noun=text, many=noun.many or self.items[at + 1].many), at + 2
+        yield from self._named(at, noun)
+
+    def _named(self, at: int, noun: Noun) -> Iterator[tuple[Noun, int]]:
+        """The noun itself, with the word or the equation that it is."""
+        item, text = self.items[at], self.text(at)
+        figure, behind = self.figure_at(at)
+        if item.raw.lower() == "cube" and (len(noun.size) == 3 or self.text(behind) == "of"):
+            yield replace(noun, noun="cube"), behind
+        kind = figure or PART.get(text) or ("block" if text == "block" else "") or SYMBOL.get(text, "")
         kind = kind or ("patch" if text in PATCH else "table" if text in TABLE else "one" if text == "one" else "")
-        if kind:
-            word = self.items[at + 1].value if kind == "word" and at + 1 < len(self.items) else ""
-            yield replace(noun, noun=kind, many=noun.many or item.many, word=word), at + 1 + bool(word)
-            if kind == "block" and self.text(at + 1) in {"tower", "row"} and noun.count:
-                size = (noun.count,)
-                figure = replace(noun, count=0, size=size, noun=self.text(at + 1), many=self.items[at + 1].many)
-                yield figure, at + 2
+        if not kind:
+            return
+        following = self.items[behind].value if behind < len(self.items) else ""
+        word = item.value or (following if kind in {"word", "equation"} else "")
+        yield replace(noun, noun=kind, many=noun.many or item.many, word=word), behind + (word != item.value)
+        if kind == "block" and self.text(at + 1) in {"tower", "row"} and noun.count:
+            size = (noun.count,)
+            yield replace(noun, count=0, size=size, noun=self.text(at + 1), many=self.items[at + 1].many), at + 2

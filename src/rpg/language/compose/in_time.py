@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 from rpg.language.compose.scene import Unclear
-from rpg.language.compose.syntax import Chain, Clause, Made, Noun, Place, Predicate, Pronoun, is_figure
+from rpg.language.compose.syntax import Chain, Clause, Looks, Made, Noun, Place, Predicate, Pronoun, is_figure
 
 
 def check_in_time(way: Sequence[Clause]) -> None:
@@ -22,7 +22,8 @@ def check_in_time(way: Sequence[Clause]) -> None:
         told = bool(clause.predicates) or isinstance(clause.subject, Chain)
         if clause.mood == "there":
             _check_there(clause, told=told, alone=len(way) == 1, ahead=n < last)
-        if n < last and told and clause.mood in {"so", ""}:
+        looks = bool(clause.predicates) and all(isinstance(said, Looks) for said in clause.predicates)
+        if n < last and told and clause.mood in {"so", ""} and not looks:  # how things look is so all the time
             raise Unclear
         if clause.mood == "so" and asks and isinstance(clause.subject, Noun) and clause.subject.det == "a":
             raise Unclear
@@ -47,7 +48,8 @@ def _check_joined(clause: Clause, behind: Clause) -> None:
         raise Unclear
     if not behind.mood and any(isinstance(said, Place) and said.no for said in clause.predicates):
         raise Unclear
-    if is_figure(clause.subject) and not clause.predicates and is_figure(behind.subject) and behind.predicates:
+    new = not isinstance(behind.subject, Noun) or behind.subject.det not in {"the", "each"}
+    if is_figure(clause.subject) and not clause.predicates and is_figure(behind.subject) and behind.predicates and new:
         place = behind.predicates[0]
         if isinstance(place, Place) and place.of is not None and not isinstance(place.of, Pronoun):
             raise Unclear

@@ -10,12 +10,14 @@ from rpg.language.tokens import Token
 
 _FIGURES = {
     "tower": "tower stack skyscraper pillar", "row": "row", "line": "line", "column": "column", "grid": "grid",
-    "wall": "wall", "pyramid": "pyramid", "staircase": "staircase stairs", "square": "square", "plus": "plus cross",
-    "circle": "circle ring", "triangle": "triangle", "word": "word", "group": "group cluster bunch",
+    "wall": "wall", "pyramid": "pyramid", "staircase": "staircase stairs stairway", "square": "square",
+    "plus": "plus cross", "circle": "circle ring", "triangle": "triangle", "word": "word",
+    "group": "group cluster bunch", "equation": "equation sum", "cube": "", "L": "", "T": "", "V": "", "U": "",
 }  # fmt: skip
 _PARTS = {
     "end": "end", "corner": "corner", "middle": "middle center centre", "top": "top", "bottom": "bottom base foot",
     "step": "step", "arm": "arm", "layer": "layer", "side": "side", "half": "half",
+    "point": "point tip apex",
 }  # fmt: skip
 FIGURE = {word: kind for kind, words in _FIGURES.items() for word in words.split()}
 PART = {word: kind for kind, words in _PARTS.items() for word in words.split()}
@@ -23,7 +25,11 @@ FIGURES, PARTS = frozenset(_FIGURES), frozenset(_PARTS)
 _BLOCK = frozenset(f"{lexicon.BLOCK_NOUNS} object piece item".split())
 PATCH = frozenset(lexicon.PATCH_NOUNS.split())
 TABLE = frozenset(lexicon.TABLE_NOUNS.split())
-SYMBOL = {"letter": "letter", "digit": "digit", "number": "digit", "numeral": "digit"}
+SYMBOL = {
+    "letter": "letter", "digit": "digit", "number": "digit", "numeral": "digit", "vowel": "vowel",
+    "consonant": "consonant",
+}  # fmt: skip
+SYMBOL_KINDS = frozenset({*SYMBOL.values(), "even", "odd"})
 RANK = {
     "left": "left", "leftmost": "left", "right": "right", "rightmost": "right", "far": "far", "back": "far",
     "rear": "far", "farther": "far", "near": "near", "nearer": "near", "front": "near", "closer": "near",
@@ -33,7 +39,7 @@ RANK = {
     "big": "tall", "bigger": "tall", "biggest": "tall", "large": "tall", "larger": "tall", "long": "tall",
     "longer": "tall", "longest": "tall", "short": "short", "shorter": "short", "shortest": "short", "small": "short",
     "smaller": "short", "smallest": "short", "little": "short", "last": "last", "corner": "corner", "end": "end",
-    "former": "former", "latter": "latter",
+    "former": "former", "latter": "latter", "hollow": "hollow", "filled": "full", "full": "full",
 }  # fmt: skip
 IDLE = frozenset({
     "please", "kindly", "simply", "also", "itself", "themselves", "thanks", "thx", "ok", "okay", "well",
@@ -42,6 +48,15 @@ IDLE = frozenset({
 _PLAIN = frozenset({
     "single", "lone", "plain", "simple", "own", "whole", "entire", "individual", "separate",
 })  # fmt: skip
+
+
+def shows(label: str, kind: str) -> bool:
+    """Whether a symbol is a letter, a vowel, a consonant, a digit, an even or an odd one."""
+    if kind in {"even", "odd"}:
+        return label.isdigit() and int(label) % 2 == (kind == "odd")
+    if kind in {"letter", "digit"}:
+        return label.isalpha() if kind == "letter" else label.isdigit()
+    return label.isalpha() and (label in "AEIOU") == (kind == "vowel")
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,7 +74,7 @@ class Item:
 
 
 def items_of(tokens: Sequence[Token]) -> list[Item] | None:
-    """The words of a text without idle ones; None where an equation, a fraction or a numbered list is told."""
+    """The words of a text without idle ones; None where a fraction or a numbered list is told."""
     found: list[Item] = []
     for token in tokens:
         word = token.word.strip("'’")
@@ -68,7 +83,7 @@ def items_of(tokens: Sequence[Token]) -> list[Item] | None:
         elif token.kind == "dims" and isinstance(token.value, tuple):
             found.append(Item("dims", token.raw, value="x".join(str(n) for n in token.value)))
         elif token.kind == "equation":
-            return None
+            found.append(Item("equation", token.raw, value=str(token.value)))
         elif token.kind == "number":
             if not token.many and token.raw != "0":
                 return None

@@ -5,10 +5,14 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rpg.language.compose.chosen import chosen
-from rpg.language.compose.figures import ALL, figures_of, part, within
-from rpg.language.compose.items import FIGURES, PARTS
+from rpg.language.compose.figures import ALL, figures_of, has_first, part, within
+from rpg.language.compose.items import FIGURES, PARTS, SYMBOL_KINDS
+from rpg.language.compose.listed import counted_alike, face_each_other, symbols
 from rpg.language.compose.scene import Patch, Ref, Scene, Unclear
 from rpg.language.compose.syntax import Both, Chain, Label, Listing, Noun, Phrase, Pronoun
+
+_HIGH = {"top": "tall", "bottom": "short"}
+"""The highest of several towers is the one with the most blocks."""
 
 
 def resolve(scene: Scene, phrase: Phrase) -> Ref:
@@ -45,7 +49,9 @@ def _both(scene: Scene, phrase: Both) -> Ref:
     """Several: all of one kind, or told of one by one."""
     if phrase.either:
         return _one_of(scene, phrase)
-    refs = [resolve(scene, part) for part in phrase.parts]
+    refs = face_each_other(scene, phrase.parts, resolve) or [
+        resolve(scene, part) for part in counted_alike(phrase.parts)
+    ]
     if len({ref.kind for ref in refs}) > 1 or any(ref.bound or ref.no or ref.each for ref in refs):
         raise Unclear
     if any(isinstance(part, Label) and part.label.isdigit() for part in phrase.parts) and not all(
@@ -128,13 +134,17 @@ def _last(scene: Scene) -> Ref:
 def _noun(scene: Scene, noun: Noun) -> Ref:
     if noun.that:
         return chosen(scene, noun, resolve)
-    if noun.noun not in FIGURES | {"one"} and (noun.content is not None or noun.size or noun.word):
+    if noun.noun not in FIGURES | {"one", "sign"} and (noun.content is not None or noun.size or noun.word):
         raise Unclear
     if noun.det == "other" and noun.noun not in PARTS:
         return _others(scene, noun)
     of_figure = noun.noun in PARTS or noun.ranks or noun.nth
+    if noun.of is None and noun.noun in SYMBOL_KINDS and of_figure:
+        return part(scene, noun, resolve)
     if noun.of is not None and of_figure and noun.noun not in FIGURES - {"row", "column"}:
         return part(scene, noun, resolve)
+    if noun.of is not None and noun.noun in SYMBOL_KINDS | {"sign"}:
+        return symbols(scene, noun, resolve)
     if noun.of is not None or noun.det == "but":
         return _some_of(scene, noun)
     if noun.noun in {"row", "layer", "column"} and noun.ranks and within(scene):
@@ -152,8 +162,8 @@ def _noun(scene: Scene, noun: Noun) -> Ref:
         return _patch(scene, noun)
     if noun.noun in FIGURES:
         return figures_of(scene, noun, resolve)
-    if noun.noun in {"letter", "digit"}:
-        raise Unclear
+    if noun.noun in SYMBOL_KINDS | {"sign"}:
+        return symbols(scene, noun, resolve)
     if noun.noun in PARTS or (noun.ranks and noun.noun in {"block", "one"}) or (noun.nth and noun.noun == "one"):
         return _by_rank(scene, noun)
     return _blocks(scene, noun)
@@ -163,6 +173,8 @@ def _by_rank(scene: Scene, noun: Noun) -> Ref:
     """ "the middle one", "the left end", "the taller one", "the third": a part, a figure, or the one that is left."""
     if set(noun.ranks) & {"tall", "short", "former", "latter"} or (noun.noun == "one" and noun.det == "another"):
         return figures_of(scene, noun, resolve)
+    if (noun.nth or noun.ranks == ("last",)) and scene.figures and not scene.whole and has_first(scene.figures[-1]):
+        return part(scene, noun, resolve)
     if noun.nth and not noun.ranks:
         left = [n for n in scene.whole if n not in scene.taken]
         if scene.whole and noun.nth == len(scene.whole) and len(left) == 1:
@@ -173,6 +185,10 @@ def _by_rank(scene: Scene, noun: Noun) -> Ref:
         if len(left) == 1:
             return _take(scene, left)
         raise Unclear
+    towers = [figure for figure in scene.figures if figure.kind == "tower" and not figure.implied]
+    if noun.noun == "one" and 1 < len(towers) == len(scene.figures) and (scene.lines or noun.ranks[0] in _HIGH):
+        ranks = tuple(_HIGH.get(rank, rank) for rank in noun.ranks)
+        return figures_of(scene, replace(noun, noun="tower", ranks=ranks), resolve)
     return part(scene, noun, resolve)
 
 
@@ -194,6 +210,10 @@ def _others(scene: Scene, noun: Noun) -> Ref:
     left = [n for n in scene.whole if n not in scene.taken]
     if noun.ranks or noun.nth or noun.content is not None:
         raise Unclear
+    if not scene.taken and (apart := _spared(scene)):
+        if noun.count not in {0, len(apart)} or noun.color or not (noun.many or noun.count > 1):
+            raise Unclear
+        return Ref("block", apart)
     if not scene.taken or not left or (noun.count and noun.count != len(left)):
         raise Unclear
     if not noun.many and not noun.count and len(left) > 1:
@@ -201,6 +221,16 @@ def _others(scene: Scene, noun: Noun) -> Ref:
     if noun.color and any(scene.blocks[n].color != noun.color for n in left):
         raise Unclear
     return _take(scene, left)
+
+
+def _spared(scene: Scene) -> list[int]:
+    """ "The rest" of the only figure there is, of blocks of which others were spoken of by themselves."""
+    figures = [figure for figure in scene.figures if not figure.implied]
+    if len(figures) != 1:
+        return []
+    facts = [ref for fact in scene.facts for ref in (fact.a, fact.b, fact.c) if ref is not None and ref.kind == "block"]
+    told = {n for ref in facts for n in ref.ids if len(ref.ids) < len(figures[0].blocks)}
+    return [n for n in figures[0].blocks if n not in told] if told & set(figures[0].blocks) else []
 
 
 def _some_of(scene: Scene, noun: Noun) -> Ref:
@@ -277,7 +307,7 @@ def _blocks(scene: Scene, noun: Noun) -> Ref:
         raise Unclear  # "the red" may be a patch
     if not like and definite and noun.noun == "one" and (scene.figures or scene.patches or not scene.blocks):
         raise Unclear  # the red one of what?
-    if noun.noun == "one" and not definite and (not scene.here or scene.here[-1].kind != "block"):
+    if noun.noun == "one" and not definite and ((like and noun.det != "another") or not _told_as_block(scene)):
         raise Unclear
     if (
         (definite or noun.noun in {"", "one"})
@@ -310,6 +340,12 @@ def _blocks(scene: Scene, noun: Noun) -> Ref:
         raise Unclear
     ids = scene.new_blocks(count, noun.color)
     return Ref("block", ids, fresh=True, each=noun.det == "each", every=noun.det in ALL)
+
+
+def _told_as_block(scene: Scene) -> bool:
+    """Whether "a green one" is a block: what was told of last is one, not a figure."""
+    told = scene.here or [ref for ref in scene.before if ref.fresh]
+    return bool(told) and told[-1].kind == "block" and (bool(scene.here) or all(ref.kind == "block" for ref in told))
 
 
 def _in_stock(scene: Scene, color: str) -> list[int]:

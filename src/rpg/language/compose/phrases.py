@@ -8,7 +8,7 @@ from dataclasses import replace
 from rpg.language import lexicon
 from rpg.language.compose.contents import Contents
 from rpg.language.compose.heads import RELATIONS, TOLD_BY
-from rpg.language.compose.items import FIGURES, PARTS, RANK, SYMBOL
+from rpg.language.compose.items import FIGURES, PARTS, RANK, SYMBOL, SYMBOL_KINDS
 from rpg.language.compose.syntax import (
     Bears,
     Both,
@@ -25,10 +25,11 @@ from rpg.language.compose.syntax import (
 from rpg.language.compose.words import Ways, remembered
 
 _PRONOUNS = frozenset({"it", "they", "them", "this", "that", "these", "those", "both"})
+_SIGNS = {"plus": "+", "minus": "-", "equals": "=", "times": "*", "equal": "="}
 _DETS = {
     "a": "a", "an": "a", "the": "the", "each": "each", "every": "each", "all": "all", "both": "both", "no": "no",
     "another": "another", "any": "any", "this": "the", "that": "the", "these": "the", "those": "the", "my": "the",
-    "our": "the", "either": "each", "second": "another", "further": "another",
+    "our": "the", "whichever": "the", "either": "each", "second": "another", "further": "another",
 }  # fmt: skip
 _HOLDING = ("with", "without", "containing", "having", "including")
 _CHOSEN = frozenset({"the", "each", "all", "both"})
@@ -46,6 +47,7 @@ class Phrases(Contents):
         if self.text(many) in TOLD_BY and self.items[many].many and self.label(many + 1):
             kind = SYMBOL.get(self.text(many), "")
             found += [(both, end) for both, end in self.phrase(many + 1) if _labelled(both, kind)]
+        found += self.series(at)
         for part, end in self.single(at):
             found.append((part, end))
             found += [(Both(_headed((part, *rest))), stop) for rest, stop in self._joined(end, "and", ", and", "plus")]
@@ -83,6 +85,7 @@ class Phrases(Contents):
         found: Ways[Phrase] = list(self._labels(at))
         if self.text(at) in _PRONOUNS:
             found.append((Pronoun(self.text(at)), at + 1))
+        found += self._sign(at)
         found += self._owned(at)
         found += self._some_of(at)
         found += self._others(at)
@@ -140,14 +143,29 @@ class Phrases(Contents):
     def _owned(self, at: int) -> Iterator[tuple[Phrase, int]]:
         """ "its two ends", "the pyramid's top block"."""
         owners: Ways[Phrase] = []
+        if self.text(at) == "whose":
+            owners.append((Pronoun("it"), at + 1))
         if self.text(at) in {"its", "their"}:
             owners.append((Pronoun("it" if self.text(at) == "its" else "them"), at + 1))
-        owners += [(noun, end + 1) for noun, end in self._plain(at) if self.text(end) in {"'s", "'"}]
+        owners += [(noun, end + 1) for noun, end in self._plain(at) if self._owns(end)]
         for owner, end in owners:
             starts = [(Noun(det="the"), end)]
             starts += [(replace(amount, det="the"), stop) for amount, stop in self._amount(end)]
             for start, behind in starts:
                 yield from ((replace(noun, of=owner), stop) for noun, stop in self._head(behind, start))
+
+    def _sign(self, at: int) -> Iterator[tuple[Phrase, int]]:
+        """ "the plus", "the minus sign of the equation"."""
+        sign = _SIGNS.get(self.text(at + 1), "") if self.text(at) == "the" else ""
+        if sign:
+            end = at + 2 + (self.text(at + 2) in {"sign", "symbol"})
+            noun = Noun(det="the", noun="sign", word=sign)
+            yield noun, end
+            yield from ((replace(noun, of=whole), stop) for whole, stop in self._whole(end))
+
+    def _owns(self, at: int) -> bool:
+        """Whether a word is the "'s" behind an owner."""
+        return at < len(self.items) and self.items[at].raw.lower() in {"'s", "'", "’s", "’"}
 
     @remembered
     def _plain(self, at: int) -> Ways[Phrase]:
@@ -170,7 +188,7 @@ class Phrases(Contents):
             ways.append((Noun(det="half"), at + 1))
         for some, end in ways:
             if of := self.past_any(end, "of"):
-                yield from ((replace(some, of=whole), stop) for whole, stop in self._simple(of))
+                yield from ((replace(some, of=whole), stop) for whole, stop in (*self._simple(of), *self.series(of)))
             elif some.det in {"all", "both"}:
                 yield from ((replace(some, of=whole), stop) for whole, stop in self._noun(end))
 
@@ -215,6 +233,8 @@ class Phrases(Contents):
             if self.text(at) == "a" and self.text(at + 1) in {"second", "third", "further", "fourth"}:
                 starts.append((Noun(det="another"), at + 2))
         found: Ways[Phrase] = []
+        if other := self.past_any(at, "every other", "every second", "each second"):
+            starts.append((Noun(det="each", ranks=("alternate",)), other))
         if self.text(at) == "another":
             found += self._behind(Noun(det="another", noun="one"), at + 1)
         for start, end in list(starts):
@@ -232,10 +252,9 @@ class Phrases(Contents):
         if noun.noun in FIGURES and self.text(at) == "in" and (color := lexicon.COLOR.get(self.text(at + 1))):
             found.append((replace(noun, color=color), at + 2))
         if noun.noun in FIGURES or (noun.noun == "one" and noun.det in {"a", "another"}):
-            sizes = self._measured(noun, at) if noun.noun not in {"grid", "square"} else ()
-            for measured, end in [(noun, at), *sizes]:
-                if end != at:
-                    found.append((measured, end))
+            figures: Ways[Noun] = []
+            for measured, end in [(noun, at), *self.measured(noun, at)]:
+                figures.append((measured, end))
                 made = "of" if self.text(end) in {"of", ",", ":"} else "from"
                 for of, stop in self._content(end):
                     listed = isinstance(of, Listing)
@@ -244,22 +263,44 @@ class Phrases(Contents):
                     each = stop + 1 if self.text(stop) == "each" else stop
                     told = "each" if each > stop or self.text(end) == "each" else "of" if listed else made
                     full = replace(measured, content=of, made=told)
-                    found.append((full, each))
-                    found += self._measured(full, each)
+                    figures += [(full, each), *self.measured(full, each)]
+                    if isinstance(of, Noun) and of == Noun(count=of.count, noun="block", many=True):
+                        lots = self._listing(each + 1) if made == "of" and self.text(each) in {",", ":"} else []
+                        sized = replace(measured, size=(of.count,), made="of")
+                        figures += [
+                            (replace(sized, content=lot), last + (self.text(last) == ",")) for lot, last in lots
+                        ]
+            found += [*figures[1:], *(way for figure, end in figures for way in self.ordered(figure, end))]
+            found += self._one_by_one(noun, at)
         elif noun.noun != "table":
             found += [(replace(noun, of=whole), stop) for whole, stop in self._whole(at)]
             found += self._counted_from(noun, at)
-            if noun.noun in {"block", "one"} and noun.det == "the" and not noun.ranks:
+            if noun.noun in {"block", "one", *SYMBOL_KINDS} and noun.det == "the" and not noun.ranks:
                 found += self._at_a_part(noun, at)
         return found
 
+    def _one_by_one(self, noun: Noun, at: int) -> Ways[Phrase]:
+        """ "two rows: a back row of three and a front row of two"."""
+        if self.text(at) not in {":", ","} or noun.noun not in FIGURES or noun.count < 2:
+            return []
+        told = [(both, end) for both, end in self.phrase(at + 1) if isinstance(both, Both)]
+        return [
+            (both, end) for both, end in told
+            if len(both.parts) == noun.count
+            and all(isinstance(part, Noun) and part.noun == noun.noun and part.det == "a" for part in both.parts)
+        ]  # fmt: skip
+
     def _at_a_part(self, noun: Noun, at: int) -> Iterator[tuple[Phrase, int]]:
-        """ "the one at the far right corner", "the block at the other end"."""
-        start = self.past_any(at, "at the", "in the", "on the")
+        """ "the one at the far right corner", "the block at the other end", "the letter that is in the middle"."""
+        lead = self.past_any(at, "that is", "which is", "that stands", "which stands", "is", "comes", "stands")
+        lead = lead if self.text(lead - 2) != noun.noun or self.text(at - 2) == "whichever" else 0
+        start = self.past_any(lead or at, "at the", "in the", "on the")
         other = self.text(start) == "other" if start else False
         for part, end in self._head(start + other, noun) if start else ():
             if part.noun in PARTS:
                 told = replace(part, det="other" if other else "the")
+                if part.noun == "end":  # a block, so that it is on top of it that something lies
+                    told = replace(told, noun=noun.noun, ranks=(*part.ranks, "end"))
                 yield told, end
                 yield from ((replace(told, of=whole), stop) for whole, stop in self._whole(end))
 
@@ -270,11 +311,14 @@ class Phrases(Contents):
 
     def _counted_from(self, noun: Noun, at: int) -> Ways[Phrase]:
         """ "the second block from the left"."""
-        if not noun.nth or not (end := self.past_any(at, "from the", "from")):
+        several = noun.ranks in {("first",), ("last",)}
+        if not (noun.nth or several) or not (end := self.past_any(at, "from the", "from")):
             return []
         if (rank := RANK.get(self.text(end))) not in {"left", "right", "top", "bottom"}:
             return []
-        counted = replace(noun, ranks=(*noun.ranks, rank))
+        if noun.ranks == ("last",):
+            rank = {"left": "right", "right": "left", "top": "bottom", "bottom": "top"}[rank]
+        counted = replace(noun, ranks=(rank,) if several else (*noun.ranks, rank))
         return [(counted, end + 1), *((replace(counted, of=w), stop) for w, stop in self._whole(end + 1))]
 
 

@@ -34,6 +34,7 @@ _BARE: dict[str, tuple[str, ...]] = {
         "in no particular order",
         "in whichever order",
     ),
+    "in turn": ("one behind the other", "one behind another"),
     "alone": ("alone", "by themselves", "on their own", "on its own"),
 }
 BARE = sorted(((words.split(), place) for place, ways in _BARE.items() for words in ways), key=lambda way: -len(way[0]))

@@ -7,7 +7,7 @@ from itertools import combinations
 
 from rpg.language.compose.figures import whole_figures
 from rpg.language.compose.nouns import resolve
-from rpg.language.compose.places_of import places
+from rpg.language.compose.places_of import places, steps
 from rpg.language.compose.scene import Fact, Figure, Ref, Scene, Unclear
 from rpg.language.compose.syntax import Both, Noun, Phrase, Place
 
@@ -19,7 +19,11 @@ _BARE_PLACES = frozenset({"top", "bottom", "middle", "left", "right", "front", "
 def tops_of(scene: Scene, ref: Ref) -> list[int]:
     """The blocks that something lies on when it lies on these."""
     if ref.kind == "block" and not ref.bound:
-        return ref.ids
+        stairs = scene.figure_of(ref.ids[0])
+        if stairs is None or stairs.kind != "staircase":
+            return ref.ids
+        order = stairs.blocks  # what lies on a step lies on its highest block
+        return [n for n in ref.ids if steps(order.index(n) + 1) or order[order.index(n) + 1] not in ref.ids]
     if ref.kind != "figure":
         raise Unclear
     tops = []
@@ -55,6 +59,8 @@ def bare(scene: Scene, ref: Ref, said: Place) -> None:
         ]
     elif name == "any order" and not said.no:
         _in_any_order(scene, ref)
+    elif name == "in turn" and ref.kind == "figure" and len(ref.ids) == 2 and not said.no:
+        scene.facts.append(Fact(Ref("figure", ref.ids[1:]), "behind", Ref("figure", ref.ids[:1])))
     elif name in _BARE_PLACES:
         _in_figure(scene, ref, name, no=said.no)
     else:
@@ -195,6 +201,9 @@ def place(scene: Scene, ref: Ref, target: Ref, said: Place) -> None:
 def _on_patch(scene: Scene, ref: Ref, target: Ref, *, no: bool) -> None:
     if len(target.ids) != 1 or ((ref.bound or ref.rest) and no) or ref.bound == "most":
         raise Unclear
+    whole = scene.figure_of(ref.ids[0]) if ref.kind == "block" and ref.every else None
+    if whole is not None and set(ref.ids) < set(whole.blocks):
+        raise Unclear  # whether the others are there, too
     if ref.kind == "figure":
         for at in ref.ids:
             scene.facts.append(Fact(Ref("block", scene.figures[at].blocks), "patch", target, no=no))

@@ -38,8 +38,11 @@ class Figure:
     `placed`: which block is at a place, as far as this was said; `told`: places matter, so that the order is told;
     `sided`: the places of a row are counted from the left; `free`: its blocks may be in any order, but for those
     that are `placed`, and for what is `barred` from places. `implied`: it is told by what lies on what.
-    `stage`: when it is formed, -1 at the start. Places of a tower are counted from the bottom, those of a row from
-    the left, of anything else row by row from the far left, or from the top left of what stands upright.
+    `stage`: when it is formed, -1 at the start; `way`: where it rises or points; `alternates`: its blocks are of two
+    colours in turn, as they are listed or the other way round; `in_order`: they are sorted by their symbols; `counted`:
+    of how many of a colour it is was said. Places of a tower are counted from the bottom, those of a row from
+    the left, of a letter and a staircase as they are drawn, of anything else row by row from the far left, or from the
+    top left of what stands upright.
     """
 
     kind: str
@@ -53,6 +56,10 @@ class Figure:
     sided: bool = False
     implied: bool = False
     stage: int = 0
+    way: str = ""
+    alternates: bool = False
+    in_order: bool = False
+    counted: bool = False
 
 
 @dataclass(slots=True)
@@ -96,8 +103,9 @@ class Scene:
 
     `stock`: lots that the text says there are; `whole` is the lot of which some were told apart last, `taken` those.
     `subject` is what something is being said of, `place` the one of a figure that was told last.
-    `pending`: blocks that lie somewhere on others, and it has still to be said on which of them. `script`: which of
-    several ways to have it are taken, one after the other; `choices`: of how many each was one.
+    `pending`: blocks that lie somewhere on others, and it has still to be said on which of them. `lines`: towers that
+    stand in a row. `script`: which of several ways to have it are taken, one after the other; `choices`: of how many
+    each was one.
     """
 
     blocks: list[Block] = field(default_factory=list)
@@ -115,6 +123,7 @@ class Scene:
     subject: tuple[str, list[int]] | None = None
     place: tuple[Figure, int] | None = None
     pending: list[tuple[list[int], list[int]]] = field(default_factory=list)
+    lines: list[list[int]] = field(default_factory=list)
     script: tuple[int, ...] = ()
     choices: list[int] = field(default_factory=list)
 
@@ -175,6 +184,8 @@ class Scene:
         """Puts the blocks in the order of their places, where what was said leaves no other."""
         if figure.free:
             raise Unclear
+        if figure.alternates and not figure.told:
+            self._take_turns(figure)
         rest = [n for n in figure.blocks if n not in figure.placed.values()]
         if len(rest) > 1 and not self.alike(rest) and not figure.told:
             raise Unclear
@@ -184,3 +195,11 @@ class Scene:
             figure.blocks = [next(left) if n is None else n for n in order]
         figure.told = True
         figure.placed = {}
+
+    def _take_turns(self, figure: Figure) -> None:
+        """Which of two colours is at an end: said, or the same either way."""
+        looks = [self.blocks[n].look for n in figure.blocks]
+        ways = [n for n in (1, -1) if all(looks[::n][at] == self.blocks[m].look for at, m in figure.placed.items())]
+        if not ways or (len(ways) > 1 and looks != looks[::-1]):
+            raise Unclear
+        figure.blocks, figure.placed, figure.told = figure.blocks[:: ways[0]], {}, True

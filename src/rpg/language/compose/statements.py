@@ -9,11 +9,13 @@ from functools import partial
 from itertools import pairwise
 
 from rpg.language.compose.items import FIGURES, PARTS
+from rpg.language.compose.lined import line_up
 from rpg.language.compose.nouns import resolve
 from rpg.language.compose.relating import SIDES, at_part, bare, between, in_region, on, place, tops_of
 from rpg.language.compose.scene import Fact, Ref, Scene, Unclear
 from rpg.language.compose.syntax import (
     Bears,
+    Both,
     Chain,
     Clause,
     Either,
@@ -234,6 +236,8 @@ def _each_of_a_new_one(subject: Phrase, said: Sequence[Predicate]) -> bool:
     if len(said) != 1 or not isinstance(said[0], Place) or said[0].no:
         return False
     target = said[0].of
+    if isinstance(target, Both) and all(isinstance(part, Noun) and part.nth for part in target.parts):
+        target = Noun(det="both")  # "on the second and the fourth"
     return (
         isinstance(subject, Noun) and subject.det in {"a", "another"} and not subject.many and subject.count < 2
         and isinstance(target, Noun) and target.det in {"each", "both", "all"}
@@ -318,7 +322,9 @@ def _said(scene: Scene, ref: Ref, said: Predicate) -> None:
 def _forms(scene: Scene, ref: Ref, phrase: Phrase) -> None:
     """These blocks form a figure."""
     if ref.kind == "figure" and isinstance(phrase, Noun) and phrase.noun in {"row", "line"} and len(ref.ids) > 1:
-        _in_line(scene, ref, phrase)
+        if phrase.content is not None or phrase.det not in {"a", ""} or phrase.color:
+            raise Unclear
+        line_up(scene, ref.ids, from_left=phrase.ranks == ("left",))
         return
     if ref.kind != "block" or not isinstance(phrase, Noun) or phrase.content is not None or ref.each or ref.bound:
         raise Unclear
@@ -336,23 +342,6 @@ def _forms(scene: Scene, ref: Ref, phrase: Phrase) -> None:
         figure.told = figure.sided = True
 
 
-def _in_line(scene: Scene, ref: Ref, phrase: Noun) -> None:
-    """Towers that stand in a row: their lowest blocks do; told from left to right, each is left of the next one."""
-    figures = [scene.figures[n] for n in ref.ids]
-    if (
-        any(f.kind != "tower" for f in figures)
-        or phrase.content is not None
-        or phrase.det not in {"a", ""}
-        or phrase.color
-    ):
-        raise Unclear
-    for figure in figures:
-        scene.settle(figure)
-    scene.facts.append(Fact(Ref("block", [f.blocks[0] for f in figures]), "in a row"))
-    if phrase.ranks == ("left",):
-        scene.facts += [Fact(Ref("figure", [a]), "to the left of", Ref("figure", [b])) for a, b in pairwise(ref.ids)]
-
-
 def _looks(scene: Scene, ref: Ref, like: Phrase) -> None:
     """These blocks are of a colour: blocks of which nothing was said of how they look."""
     if not isinstance(like, Noun) or not like.color or like.noun not in {"", "block", "one"} or like.count > 1:
@@ -361,9 +350,12 @@ def _looks(scene: Scene, ref: Ref, like: Phrase) -> None:
         ref = Ref("block", [n for at in ref.ids for n in scene.figures[at].blocks])
     if ref.kind != "block" or ref.bound:
         raise Unclear
+    whole = scene.figure_of(ref.ids[0])
+    part = whole is not None and not whole.counted and set(ref.ids) < set(whole.blocks)
+    exception = part and whole is not None and scene.alike(whole.blocks)
     for n in ref.ids:
         block = scene.blocks[n]
-        if block.label or block.color not in {"", like.color}:
+        if block.label or (block.color not in {"", like.color} and not exception):
             raise Unclear
         block.color = like.color
 

@@ -17,7 +17,8 @@ class Noun:
     `det`: "a", "the", "each", "all", "both", "no", "other", "another", "any", or "" for none. `bound`: "exactly",
     "least" or "most", of `count`. `noun`: "block", "patch", "table", a figure, a part, or "" where it is left out.
     `of`: the whole that it is a part of, or those that it is some of. `content`: what it is made of, told with the word
-    `made`. `but`: those that are left out. `that`: what is so of those that are meant, and of no others.
+    `made`. `but`: those that are left out. `that`: what is so of those that are meant, and of no others. `order`:
+    "alphabetical", "ascending", "descending" or "any"; `way`: where a figure rises or points.
     """
 
     det: str = ""
@@ -35,6 +36,8 @@ class Noun:
     made: str = ""
     but: Phrase | None = None
     that: tuple[Predicate, ...] = ()
+    order: str = ""
+    way: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,11 +6,14 @@ from collections.abc import Sequence
 
 from rpg.blocks.nouns import article, join, number
 from rpg.language import lexicon
-from rpg.language.compose.places_of import columns
+from rpg.language.compose.lined import FROM_LEFT, IN_A_ROW, IN_ORDER
+from rpg.language.compose.places_of import DRAWN, columns, steps
 from rpg.language.compose.scene import Block, Fact, Figure, Ref, Scene, Unclear
 
 _PALETTE = (*lexicon.RAINBOW, "brown", "black", "gray", "white")
 _MOST = 30
+_MANY = 7
+"""Of so many blocks that look alike not each one can be told apart."""
 
 
 def tell_all(scenes: Sequence[Scene]) -> str:
@@ -153,12 +156,17 @@ def _fact(scene: Scene, fact: Fact) -> str:
         return _sentence(f"nothing must be on {a}")
     if fact.said == "table":
         return _sentence(f"{a} {must} be on the table")
-    if fact.said == "in a row" or (fact.b is None and fact.said.endswith("of the table")):
+    if fact.said in {IN_ORDER, FROM_LEFT}:
+        order = f"in the order {', '.join(_name(scene, n) for n in fact.a.ids)}"
+        way = f" from left to right {order}" if fact.said == FROM_LEFT else f" {order} in either direction"
+        return _sentence(f"{a} must be {IN_A_ROW}{way}")
+    if fact.said == IN_A_ROW or (fact.b is None and fact.said.endswith("of the table")):
         return _sentence(f"{a} must be {fact.said}")
     if fact.said == "empty":
         return _sentence(f"{a} must be empty")
     assert fact.b is not None
-    b = _operand(scene, fact.b)
+    tower = _topped(scene, fact)
+    b = _operand(scene, tower or fact.b)
     if fact.said == "touch":
         return _sentence(f"{a} {must} touch {b}")
     if fact.said == "apart":
@@ -184,43 +192,90 @@ def _figure(scene: Scene, figure: Figure) -> str:
     if figure.placed:
         scene.settle(figure)
     names, many = _names(scene, figure.blocks), len(figure.blocks)
-    order = f" in the order {', '.join(_name(scene, n) for n in figure.blocks)}"
+    listed = f"in the order {_in_turn(scene, figure)}"
+    order = f" {listed}" if figure.told and not _is_only_topped(scene, figure) else ""
     if figure.kind == "tower":
-        told = f" from bottom to top{order}" if figure.told else ""
-        return _sentence(f"{names} must {_tower(scene, figure, many)}{told}")
+        order = order and f" from bottom to top{order}"
+        turns = " in alternating colors" if figure.alternates and not figure.told else ""
+        return _sentence(f"{names} must {_tower(scene, figure, many)}{order}{turns}")
     if figure.kind in {"row", "line"}:
-        side = (
-            (f" from left to right{order}" if figure.sided else f"{order} in either direction") if figure.told else ""
-        )
-        return _sentence(f"{names} must be in a {figure.kind}{side}")
+        side = f" from left to right{order}" if figure.sided else f"{order} in either direction"
+        turns = " in alternating colors" if figure.alternates and not figure.told else ""
+        return _sentence(f"{names} must be in a {figure.kind}{turns}{order and side}")
     if figure.kind == "column":
-        return _sentence(
-            f"{names} must be in a column on the table{f' from front to back{order}' if figure.told else ''}"
-        )
-    if figure.kind == "word":
-        return _sentence(f"{names} must spell the word {figure.word}")
-    if figure.kind == "plus" and many == 5:
-        return _sentence(f"{names} must form a plus sign{order if figure.told else ''}")
-    if figure.kind in {"grid", "wall"}:
-        wide = columns(figure)
-        tall = many // wide
-        if figure.kind == "wall":
-            told = f" from top to bottom{order}" if figure.told else ""
-            return _sentence(
-                f"{names} must form a wall {number(wide)} blocks wide and {number(tall)} blocks high{told}"
-            )
-        told = f" row by row{order}" if figure.told else ""
-        return _sentence(f"{names} must form a grid of {number(tall)} rows and {number(wide)} columns{told}")
-    if figure.kind == "pyramid":
-        base = next((n for n in range(2, 7) if n * (n + 1) // 2 == many), 0)
-        if base:
-            told = f" from top to bottom{order}" if figure.told else ""
-            return _sentence(f"{names} must form a pyramid with a base of {number(base)} blocks{told}")
+        return _sentence(f"{names} must be in a column on the table{order and f' from front to back{order}'}")
+    if figure.kind in {"word", "equation"}:
+        row = f"be in a row from left to right {listed} and " if figure.sided else ""
+        shown = f"spell the word {figure.word}" if figure.kind == "word" else f"show the equation {figure.word}"
+        return _sentence(f"{names} must {row}{shown}")
     if figure.kind == "group" and not figure.told:
         return _sentence(f"{names} must be in one group")
-    if figure.kind in {"circle", "triangle", "square"} and not figure.told:
-        of = {"circle": "a circle", "triangle": "the outline of a triangle", "square": "the outline of a square"}
-        return _sentence(f"{names} must form {of[figure.kind]}")
+    if figure.kind in {"circle", "triangle"} and figure.told:
+        raise Unclear
+    return _sentence(f"{names} must form {_form(figure, many)}{order}")
+
+
+def _topped(scene: Scene, fact: Fact) -> Ref | None:
+    """The tower that something lies on, where none of its blocks is told apart otherwise."""
+    if fact.said != "on" or fact.b is None or fact.no:
+        return None
+    on = [n for n, figure in enumerate(scene.figures) if figure.blocks[-1:] == fact.b.ids]
+    return Ref("figure", on) if len(on) == 1 and _is_only_topped(scene, scene.figures[on[0]]) else None
+
+
+def _is_only_topped(scene: Scene, figure: Figure) -> bool:
+    """Whether no block of a tower is told apart but the one on top, by what lies on it."""
+    if figure.kind != "tower" or figure.implied or not scene.alike(figure.blocks):
+        return False
+    refs = [(ref, fact) for fact in scene.facts for ref in (fact.a, fact.b, fact.c) if ref and ref.kind == "block"]
+    own = [(ref, fact) for ref, fact in refs if set(ref.ids) & set(figure.blocks) and len(ref.ids) < len(figure.blocks)]
+    on_top = [
+        fact.said == "on" and ref is fact.b and ref.ids == figure.blocks[-1:] and not fact.no for ref, fact in own
+    ]
+    return bool(own) and all(on_top)
+
+
+def _in_turn(scene: Scene, figure: Figure) -> str:
+    """The blocks one after the other; of many, those next to each other of which nothing else is told in any order."""
+    if len(figure.blocks) < _MANY:
+        return ", ".join(_name(scene, n) for n in figure.blocks)
+    told = {
+        n for fact in scene.facts for ref in (fact.a, fact.b, fact.c) if ref and ref.kind == "block" for n in ref.ids
+    }
+    runs: list[list[int]] = []
+    for n in figure.blocks:
+        if runs and not told & {n, runs[-1][0]} and scene.alike([n, runs[-1][0]]):
+            runs[-1].append(n)
+        else:
+            runs.append([n])
+    return ", then ".join(f"{_names(scene, run)}{' in no fixed order' * (len(run) > 1)}" for run in runs)
+
+
+def _form(figure: Figure, many: int) -> str:
+    """What figure it is, with the way in which its places are counted."""
+    wide = columns(figure)
+    down = " from top to bottom" if figure.told else ""
+    drawn = " from its first drawn place on" if figure.told else ""
+    if figure.kind == "wall":
+        return f"a wall {number(wide)} blocks wide and {number(many // wide)} blocks high{down}"
+    if figure.kind == "grid":
+        by_row = " row by row" if figure.told else ""
+        return f"a grid of {number(many // wide)} rows and {number(wide)} columns{by_row}"
+    if figure.kind == "cube":
+        return f"a {'x'.join(str(n) for n in figure.size)} cube{down}"
+    if figure.kind == "pyramid" and steps(many):
+        return f"a pyramid with a base of {number(steps(many))} blocks{down}"
+    if figure.kind == "staircase":
+        way = f" going up to the {figure.way}" if figure.way else ""
+        return f"a staircase of {number(steps(many))} steps{way}{drawn}"
+    if figure.kind in DRAWN:
+        side = {"near": "front", "far": "back"}.get(figure.way, figure.way)
+        way = {"L": f" with its foot to the {side}", "U": f" open to the {side}"}.get(figure.kind, "") if side else ""
+        return f"a {figure.kind}{way}{drawn}"
+    if figure.kind == "plus":
+        return "a plus sign"
+    if figure.kind in {"circle", "triangle", "square"}:
+        return {"circle": "a circle"}.get(figure.kind, f"the outline of a {figure.kind}")
     raise Unclear
 
 

@@ -28,6 +28,7 @@ _FORM = ("form", "forms", "make", "makes", "become", "becomes", "make up", "make
          "stacked into", "turn into", "are built into", "is", "are")  # fmt: skip
 _BEAR = ("carry", "carries", "support", "supports", "bear", "bears", "has", "have", "get", "gets", "hold", "holds",
          "carrying", "bearing", "supporting", "holding")  # fmt: skip
+_FLAT = frozenset({"patch", "table"})
 
 
 class Verbs(Places):
@@ -54,6 +55,8 @@ class Verbs(Places):
             ways = {self.past_any(end, way) for way in ("and", "but", ", but", ", and", ",")} - {0}
             ways -= set() if place.no else {self.past_any(end, "but"), self.past_any(end, ", but")}
             ways -= {self.past_any(end, "and"), self.past_any(end, ", and")} if place.no else set()
+            lifted = place.relation in {"on", "between"} and not (isinstance(place.of, Noun) and place.of.noun in _FLAT)
+            ways -= {end + 1} if lifted and self.text(end) == "," else set()  # what is beside it may be the whole
             for start in ways:
                 more_said = [*self.predicates(start), *(self.verbs(start) if self.text(start - 1) != "," else ())]
                 found += [((place, *more), stop) for more, stop in more_said]
@@ -115,7 +118,7 @@ class Verbs(Places):
             if denied:
                 continue
             for what, stop in self.phrase(end):
-                found.append(((Bears(what),), stop))
+                found.append(((Bears(what),), stop + (self.text(stop) == "each")))
                 found += self._borne(what, stop)
         if (end := self.past_any(start, "contain", "contains", "include", "includes")) and not denied:
             found += [((Holds(what),), stop) for what, stop in self.single(end)]

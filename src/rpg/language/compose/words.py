@@ -48,4 +48,4 @@ class Text:
 
     def past_any(self, at: int, *ways: str) -> int:
         """Where the longest of these ends that begins here; else 0."""
-        return max(self.past(at, way.split()) for way in ways)
+        return max((self.past(at, way.split()) for way in ways), default=0)

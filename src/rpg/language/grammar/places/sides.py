@@ -171,6 +171,8 @@ def toward(p: Parser, i: int) -> Results[Meaning]:
         for k in ways.matches(p, i):
             if p.words[i] != "away" or not p.all.isdisjoint(_DEEP):  # "put the two blocks away from me"
                 yield Toward(first=side, axis="x", span=p.span(i, k)), k
+    if k := p.any_of(i, ("from its first drawn place on",)):
+        yield Toward(first="drawn", span=p.span(i, k)), k
     for axis, ways in (("y", _SIDEWAYS), ("x", _DEEPWARDS)):
         yield from ((Toward(axis=axis, span=p.span(i, k)), k) for k in ways.matches(p, i))
     for phrase, k in p.standing(i, _ALONG):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping
 
+from rpg.blocks.figure_parts import has_own
 from rpg.core.diagnostics import Span
 from rpg.ir.order import Pattern
 from rpg.ir.structures import Cells, Figure, Grid, Pyramid, Staircase
@@ -53,8 +54,9 @@ def pattern_of(
         begins = {**{t.first: t.span for t in spec.toward}, **{o.first: o.span for o in spec.orders}}
         upward = "bottom" in begins
         _check_begun(begins, form, tall)
-        if tall:
-            spec.toward = [t for t in spec.toward if t.first not in ("top", "bottom")]
+        own = "drawn" in begins and has_own(form)
+        passed = {*(("top", "bottom") if tall else ()), *(("drawn",) if own else ())}
+        spec.toward = [t for t in spec.toward if t.first not in passed]
         order = order_of(spec, names, "row", scene, scope, shape.span).model_copy(update={"first": None})
         if order.by == "together":
             raise refuse(
@@ -64,7 +66,7 @@ def pattern_of(
                 "say 'each row a different colour' or 'each layer a different colour'",
             )
         spec.orders = []
-        return Pattern(kind="reading", order=order, upward=upward), order.by in ("label", "number")
+        return Pattern(kind="reading", order=order, upward=upward, own=own), order.by in ("label", "number")
     unit = {"pile": "row", "stack": "column"}.get(said.unit, said.unit)
     if dims is None:
         raise refuse("misplaced", f"a {shape.kind} has no {said.unit}s", said.span)

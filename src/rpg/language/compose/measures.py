@@ -1,0 +1,146 @@
+"""What is said of a figure behind its noun: how large it is, in which order its blocks stand, where it points."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from rpg.blocks.figures import pyramid_size, staircase_size
+from rpg.language import lexicon
+from rpg.language.compose.items import FIGURE, RANK
+from rpg.language.compose.syntax import Noun
+from rpg.language.compose.words import Text
+
+LETTERS = frozenset({"l", "t", "v", "u"})
+_MEASURES = {"high": "high", "tall": "high", "wide": "wide", "long": "wide", "deep": "deep"}
+_ORDERS: dict[str, tuple[str, ...]] = {
+    "alphabetical": ("in alphabetical order", "alphabetically", "sorted alphabetically", "in alphabetic order"),
+    "ascending": ("in ascending order", "in numerical order", "in increasing order", "in numeric order", "ascending"),
+    "descending": ("in descending order", "in decreasing order", "descending"),
+}  # fmt: skip
+_ALTERNATING = (
+    "alternating", "with alternating", "in alternating", "alternating between", "that alternate between", "alternately",
+    "that alternate", "which alternate between", "of alternating",
+)  # fmt: skip
+_UPWARD = frozenset({"from the bottom up", "from bottom to top", "from bottom up", "bottom to top"})
+_ANY_ORDER = ("in any order", ", in any order", "in any order you like", "in whatever order")
+_WAYS: dict[str, tuple[str, ...]] = {
+    "staircase": ("rising to", "going up to", "ascending to", "climbing to", "that rises to", "rising towards",
+                  "going up towards", "which rises to", "leading up to"),
+    "L": ("with its foot to", "with its foot pointing to", "with the foot to", "with the foot pointing to",
+          "with the foot on", "with its foot on", "pointing"),
+    "U": ("open to", "opening to", "with its opening to", "which is open to", "that opens to"),
+}  # fmt: skip
+
+
+class Measures(Text):
+    """Reads what a figure is like."""
+
+    def figure_at(self, at: int) -> tuple[str, int]:
+        """The kind of figure that words are, and where they end: "plus sign", "L", "L shape", "cube"."""
+        text = self.text(at)
+        if text in LETTERS and (self.items[at].raw.isupper() or self.text(at + 1) == "shape"):
+            return text.upper(), at + 1 + (self.text(at + 1) == "shape")
+        kind = FIGURE.get(text, "")
+        return kind, at + 1 + (bool(kind) and self.text(at + 1) in {"sign", "shape"})
+
+    def sized(self, noun: Noun, at: int) -> Iterator[tuple[Noun, int]]:
+        """A size ahead of the noun: "2x3", "two by three", "three-block", "three-step"."""
+        if self.text(at) == "dims":
+            yield replace(noun, size=tuple(int(n) for n in self.items[at].value.split("x"))), at + 1
+        if not (number := self.number(at)):
+            return
+        if self.text(at + 1) in {"block", "high"} and self.text(at + 2) in FIGURE:
+            yield replace(noun, size=(number,)), at + 2
+        if self.text(at + 1) == "step" and self.text(at + 2) in FIGURE:
+            yield replace(noun, size=(staircase_size(number),)), at + 2
+        if self.text(at + 1) == "by" and (other := self.number(at + 2)):
+            third = self.number(at + 4) if self.text(at + 3) == "by" else 0
+            size = (number, other, third) if third else (number, other)
+            yield replace(noun, size=size), at + 3 + 2 * bool(third)
+
+    def measured(self, noun: Noun, at: int) -> Iterator[tuple[Noun, int]]:
+        """ "three high", "three wide and two high", "of three steps", "with a base of three blocks"."""
+        start = at + (self.text(at) in {",", "which", "that"})
+        sizes: dict[str, int] = {}
+        while True:
+            start += self.text(start) in {"and", "of", "by"} and bool(sizes)
+            if not self.number(start):
+                break
+            end = start + 1 + (self.text(start + 1) == "block")
+            measure = _MEASURES.get(self.text(end))
+            if measure is None or measure in sizes:
+                break
+            sizes[measure] = self.number(start)
+            start = end + 1
+        flat = noun.noun in {"grid", "square"}
+        if set(sizes) == ({"wide", "deep"} if flat else {"wide", "high"}):
+            yield replace(noun, size=(sizes["deep"], sizes["wide"]) if flat else (sizes["wide"], sizes["high"])), start
+        elif len(sizes) == 1 and noun.noun == "wall":
+            yield replace(noun, size=(sizes.get("wide", 0), sizes.get("high", 0))), start
+        elif len(sizes) == 1 and noun.noun in {"tower", "row", "line", "column", "one"}:
+            yield replace(noun, size=tuple(sizes.values())), start
+        if noun.noun == "staircase":
+            yield from self._rising(noun, at)
+        steps = self.past_any(at, "of", "with")
+        if noun.noun == "staircase" and self.number(steps) and self.text(steps + 1) == "step":
+            yield replace(noun, size=(staircase_size(self.number(steps)),)), steps + 2
+        rows = self.past_any(at, "of", "with", ",")
+        if noun.noun in {"grid", "wall"} and self.number(rows) and self.text(rows + 1) == "row":
+            across = rows + 3 if self.text(rows + 2) in {"and", "of"} else 0
+            if self.number(across) and self.text(across + 1) in {"column", "block"}:
+                size = (self.number(rows), self.number(across))
+                yield replace(noun, size=size if noun.noun == "grid" else size[::-1]), across + 2
+        base = self.past_any(at, "with a base of", "on a base of", "that has a base of")
+        if noun.noun == "pyramid" and base and self.number(base):
+            yield (
+                replace(noun, size=(pyramid_size((self.number(base), 1)),)),
+                base + 1 + (self.text(base + 1) == "block"),
+            )
+
+    def heights(self, at: int) -> tuple[list[int], int]:
+        """ "two, three and four blocks high": the numbers of several, with where that ends."""
+        found: list[int] = []
+        while self.number(at):
+            found.append(self.number(at))
+            at = self.past_any(at + 1, "and", ",", ", and") or at + 1
+        at += self.text(at) == "block"
+        return (found, at + 1) if len(found) > 1 and self.text(at) in {"high", "tall"} else ([], 0)
+
+    def _rising(self, noun: Noun, at: int) -> Iterator[tuple[Noun, int]]:
+        """ "one, two and three high from left to right": the steps of a staircase."""
+        heights, end = self.heights(at + (self.text(at) in {",", ":"}))
+        if heights and list(range(1, len(heights) + 1)) in (heights, heights[::-1]):
+            sized = replace(noun, size=(staircase_size(len(heights)),))
+            told = self.past_any(end, "from left to right", ", from left to right", "left to right")
+            way = "right" if heights[0] == 1 else "left"
+            yield (replace(sized, way=way), told) if told else (sized, end)
+
+    def _alternating(self, noun: Noun, at: int) -> Iterator[tuple[Noun, int]]:
+        """ "alternating red and blue": of so many blocks as were told without a colour."""
+        start = self.past_any(at + (self.text(at) == ","), *_ALTERNATING)
+        colors = [lexicon.COLOR.get(self.text(at), "") for at in (start, start + 2)] if start else []
+        many, content = noun.size, noun.content
+        if isinstance(content, Noun) and content == Noun(count=content.count, noun="block", many=True) and not many:
+            many, content = (content.count,), None
+        if all(colors) and len({*colors}) == 2 and self.text(start + 1) == "and" and content is None and not noun.color:
+            end = start + 3 + (self.text(start + 3) == "block")
+            yield replace(noun, order="alternating", word=" ".join(colors), size=many, content=None), end
+
+    def ordered(self, noun: Noun, at: int) -> Iterator[tuple[Noun, int]]:
+        """ "in alphabetical order", "ascending from left to right", "rising to the right", "open to the left"."""
+        if end := self.past_any(at, *_ANY_ORDER):
+            yield noun, end
+        yield from self._alternating(noun, at)
+        start = at + (self.text(at) == ",")
+        upright = noun.noun == "tower"
+        for order, ways in _ORDERS.items():
+            for end in {self.past_any(start, way) for way in ways} - {0}:
+                told = self.past_any(end, *(_UPWARD if upright else ("from left to right", "left to right")))
+                if told or not upright:
+                    yield replace(noun, order=order), told or end
+        if end := self.past_any(start, *_WAYS.get(noun.noun, ())):
+            end += self.text(end) == "the"
+            way = RANK.get(self.text(end), "")
+            if way in {"left", "right"} or (way in {"near", "far"} and noun.noun != "staircase"):
+                yield replace(noun, way=way), end + 1

@@ -1,0 +1,56 @@
+"""Several things told in one phrase: "the red, green and blue patches", "the digits 1 to 4", "every other block"."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from rpg.language import lexicon
+from rpg.language.compose.heads import Heads
+from rpg.language.compose.items import FIGURE, PATCH, RANK
+from rpg.language.compose.syntax import Both, Label, Noun, Phrase
+
+_MOST = 10
+
+
+class Series(Heads):
+    """Reads series."""
+
+    def series(self, at: int) -> Iterator[tuple[Phrase, int]]:
+        """All ways to read one that begins here."""
+        yield from self._colors(at)
+        yield from self._range(at)
+
+    def _colors(self, at: int) -> Iterator[tuple[Phrase, int]]:
+        """ "the red, green and blue patches": one of each colour."""
+        start = at + (self.text(at) == "the")
+        colors: list[str] = []
+        while color := lexicon.COLOR.get(self.text(start)):
+            colors.append(color)
+            last = self.past_any(start + 1, "and", ", and")
+            start = last or start + 1 + (self.text(start + 1) == ",")
+        noun = self.text(start)
+        kind = "patch" if noun in PATCH else FIGURE.get(noun, "block" if noun == "block" else "")
+        if start > at + 1 and len({*colors}) == len(colors) > 1 and kind and self.items[start].many:
+            yield Both(tuple(Noun(det="the", color=color, noun=kind) for color in colors)), start + 1
+
+    def _range(self, at: int) -> Iterator[tuple[Phrase, int]]:
+        """ "1 to 4", "A through E"."""
+        first, start = self.label(at), self.past_any(at + 1, "to", "through", "up to")
+        last = self.label(start) if start else ""
+        if first and last and first.isdigit() == last.isdigit() and 0 < ord(last) - ord(first) < _MOST:
+            yield Both(tuple(Label(chr(code)) for code in range(ord(first), ord(last) + 1))), start + 1
+
+    def counting(self, at: int) -> Iterator[tuple[str, int]]:
+        """ "counting from the left,": from where the places are counted that the clause tells of."""
+        end = self.past_any(at, "counting from the", "counted from the", "counting from", "from the")
+        side = RANK.get(self.text(end), "") if end else ""
+        if side in {"left", "right", "top", "bottom"} and self.text(end + 1) == ",":
+            yield side, end + 2
+
+
+def counted(phrase: Phrase, side: str) -> Phrase:
+    """ "the second and the fourth", counted from a side."""
+    if isinstance(phrase, Both):
+        return replace(phrase, parts=tuple(counted(part, side) for part in phrase.parts))
+    return replace(phrase, ranks=(side,)) if isinstance(phrase, Noun) and phrase.nth and not phrase.ranks else phrase

@@ -44,7 +44,7 @@ _PUT = frozenset({
     "slide", "push", "shift", "transfer", "pile", "seat", "sit",
 })  # fmt: skip
 _LINED = (
-    "lined up", "lined up from left to right", "lined up left to right", "in a row from left to right",
+    "lined up from left to right", "lined up left to right", "in a row from left to right",
     "in a line from left to right", "from left to right", "left to right",
 )  # fmt: skip
 _STACK = frozenset({"stack", "pile"})
@@ -156,7 +156,8 @@ class Reader(Verbs):
         start = self.past_any((no or at) + 1, *_BUILD_ME) or (no or at) + 1
         found: Ways[Clause] = []
         if verb in _BUILD and not no:
-            found += self._built(start, laid=verb in _PUT)
+            built = self._built(start, laid=verb in _PUT)
+            found += [way for way in built if verb not in _STACK or not is_figure(way[0].subject)]
         if verb in _PUT or verb in _BUILD:
             for what, end in self.phrase(start):
                 for said, stop in self.predicates(end):

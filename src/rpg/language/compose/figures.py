@@ -176,6 +176,9 @@ def _made(scene: Scene, noun: Noun, kind: str, resolve: Resolve) -> int:
         if ref.kind != "block" or ref.bound or ref.no:
             raise Unclear
         figure.blocks = list(ref.ids)
+        labels = [scene.blocks[n].label for n in ref.ids]
+        if noun.made == "from" and len(labels) > 2 and all(map(str.isdigit, labels)) and labels == sorted(labels):
+            raise Unclear  # "a row from 1 to 5" is in this order, "from the digits 1 to 5" in any
         figure.free = isinstance(content, Both) and any(isinstance(p, Noun) and p.count > 1 for p in content.parts)
     elif noun.order == "alternating":
         figure.blocks = _alternating(scene, noun, size)

@@ -48,6 +48,8 @@ def _check_joined(clause: Clause, behind: Clause) -> None:
         raise Unclear
     if not behind.mood and any(isinstance(said, Place) and said.no for said in clause.predicates):
         raise Unclear
+    if not clause.mood and clause.predicates and not behind.mood and not behind.predicates:
+        raise Unclear  # "on the mat are a red block and a tower": is the tower there, too?
     new = not isinstance(behind.subject, Noun) or behind.subject.det not in {"the", "each"}
     if is_figure(clause.subject) and not clause.predicates and is_figure(behind.subject) and behind.predicates and new:
         place = behind.predicates[0]

@@ -249,6 +249,8 @@ def _some_of(scene: Scene, noun: Noun) -> Ref:
     ids = whole.ids
     if noun.det == "all" and noun.of == Pronoun("them") and len(ids) < len(scene.blocks):
         raise Unclear
+    if noun.of == Pronoun("them") and set(ids) < set(scene.whole):
+        raise Unclear  # of these, or of those that they are some of
     if noun.det in ALL:
         if noun.det == "both" and len(ids) != 2:
             raise Unclear
@@ -276,7 +278,7 @@ def _patch(scene: Scene, noun: Noun) -> Ref:
     if noun.ranks or noun.nth or noun.many or noun.count > 1 or noun.det not in {"a", "the", ""}:
         raise Unclear
     found = [n for n, patch in enumerate(scene.patches) if not noun.color or patch.color in {noun.color, ""}]
-    if len(found) > 1:
+    if len(found) > 1 or (found and noun.det == "a" and not noun.color):
         raise Unclear
     if not found:
         if not noun.color and scene.patches:

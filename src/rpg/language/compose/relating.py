@@ -79,7 +79,7 @@ def _in_any_order(scene: Scene, ref: Ref) -> None:
 
 
 def in_region(scene: Scene, ref: Ref, said: Place) -> None:
-    if ref.kind not in {"block", "figure"} or said.no or ref.bound:
+    if ref.kind not in {"block", "figure"} or said.no or ref.bound or ref.rest:
         raise Unclear
     for ids in (scene.figures[n].blocks for n in ref.ids) if ref.kind == "figure" else (ref.ids,):
         scene.facts.append(Fact(Ref("block", ids), f"{said.how} of the table"))

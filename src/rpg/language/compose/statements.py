@@ -32,6 +32,8 @@ from rpg.language.compose.syntax import (
     Pronoun,
 )
 
+_BESIDE = frozenset({*SIDES, "next", "near", "far"})
+
 
 def say(scene: Scene, clause: Clause) -> None:
     """Puts what a clause says into the scene. Raises Unclear where it does not say it clearly."""
@@ -62,6 +64,8 @@ def _one_or_other(scene: Scene, clause: Clause) -> None:
 
 def _one_place(scene: Scene, ref: Ref, said: Either) -> None:
     """It is at one of several places."""
+    if len(ref.ids) > 1 or ref.each:
+        raise Unclear  # all at one, or some at each
     known = _introduced(scene, [partial(_said, ref=ref, said=place) for place in said.places])
     _said(scene, ref, said.places[scene.choose(len(said.places))])
     if len(scene.blocks) > known:
@@ -113,6 +117,11 @@ def _say(scene: Scene, clause: Clause) -> None:
     scene.subject = (ref.kind, ref.ids)
     if len(clause.predicates) > 1 and any(isinstance(p, Place) and p.how == "immediately" for p in clause.predicates):
         raise Unclear  # "right next to it, on its left": how near is said of both
+    if any(isinstance(p, Place) and p.of is not None and p.relation in _BESIDE for p in clause.predicates) and any(
+        isinstance(p, Place) and p.of is None and p.relation in {"touching", "side by side", "apart"}
+        for p in clause.predicates
+    ):
+        raise Unclear  # "next to the blue ones, touching": one another, or them
     for said in clause.predicates:
         _said(scene, ref, said)
         if isinstance(said, Made) and ref.kind == "block" and scene.figures[-1].kind == "tower":
@@ -312,8 +321,8 @@ def _said(scene: Scene, ref: Ref, said: Predicate) -> None:
         if isinstance(of, Noun) and of.det == "another":
             raise Unclear
         target = resolve(scene, of)
-        if said.no and target.either:
-            raise Unclear  # on none of them, or not on one
+        if target.either and (said.no or len(ref.ids) > 1 or ref.each):
+            raise Unclear  # on none of them, or not on one; all on one, or some on each
         if target.fresh and target.kind == "block" and (ref.each or len(ref.ids) > len(target.ids)):
             raise Unclear  # one for each, or one for all
         place(scene, ref, target, said)

@@ -177,16 +177,19 @@ def _fact(scene: Scene, fact: Fact) -> str:
     return _sentence(f"{a} {must} be {'on' if fact.said == 'patch' else fact.said} {b}")
 
 
+def _in_one_order(scene: Scene, figure: Figure) -> None:
+    """What is in any order has one, where what is placed leaves no other."""
+    loose = [n for n in figure.blocks if n not in figure.placed.values()]
+    if not figure.placed or len(loose) < 2 or scene.alike(loose):
+        figure.free = False
+    elif figure.free and figure.kind in {"row", "line"} and list(figure.placed) == [1] and len(figure.blocks) == 3:
+        figure.blocks, figure.placed = [loose[0], figure.placed[1], loose[1]], {}
+        figure.free, figure.told, figure.sided = False, True, False  # each of the others is at one end
+
+
 def _figure(scene: Scene, figure: Figure) -> str:
     """The sentence that says what blocks form."""
-    loose = [n for n in figure.blocks if n not in figure.placed.values()]
-    if figure.free and not figure.placed:
-        figure.free = False
-    if figure.free and (len(loose) < 2 or scene.alike(loose)):
-        figure.free = False  # what is placed leaves one order
-    if figure.free and figure.kind in {"row", "line"} and list(figure.placed) == [1] and len(figure.blocks) == 3:
-        figure.blocks, figure.placed = [loose[0], figure.placed[1], loose[1]], {}
-        figure.free, figure.told, figure.sided = False, True, False  # the others are at either end
+    _in_one_order(scene, figure)
     if figure.free:
         return _in_part(scene, figure)
     if figure.placed:

@@ -64,7 +64,6 @@ from rpg.language.grammar.talk.set_plainly import (
 )
 from rpg.language.grammar.talk.short_turns import (
     LETTING,
-    NOT_STACKED,
     anywhere_but,
     between_them,
     center_of_patch,
@@ -371,7 +370,7 @@ _CHANGES: tuple[tuple[_Change, frozenset[str]], ...] = (
     (between_them, frozenset({"between"})),
     (without_stacking, frozenset({"stacking"})),
     (without_letting, LETTING),
-    (not_stacked, NOT_STACKED),
+    (not_stacked, frozenset({"stacked", "stacking", "stack", "stacks", "piling", "flat"})),
     (anywhere_but, frozenset({"anywhere", "somewhere"})),
     (number_is, NUMBER),
     (both_of_so_many, frozenset({"both"})),

@@ -57,8 +57,6 @@ _NOT_STACKED = (("not", "stacked"), ("no", "stacking"), ("no", "stack"), ("no", 
                 *((*lead, lie, "flat") for lead in (("just",), ("only",), ("must",), ("they", "must"), ("should",),
                                                     ("they", "should"), ("they", "just"), ("they",), ())
                   for lie in _FLAT))  # fmt: skip
-NOT_STACKED = frozenset({"stacked", "stacking", "stack", "stacks", "piling", "flat"})
-"""One of these is said where blocks are told not to be on each other."""
 
 
 def not_stacked(tokens: list[Token], words: list[str]) -> list[Token] | None:

@@ -165,7 +165,9 @@ class Place(NamedTuple):
         for slot in range(self.slot, len(slots)):
             if word in slots[slot].firsts:
                 yield from self._said(slot, (word,), slots[slot].tree[word])
-            for row in (row for name in slots[slot].called if word in classes.firsts(name) for row in classes.rows[name]):
+            for row in (
+                row for name in slots[slot].called if word in classes.firsts(name) for row in classes.rows[name]
+            ):
                 if word in row.firsts:
                     yield from Place(row, 0, (), Place(self.row, slot, (), self.back)).after(word)
             if not slots[slot].kind:

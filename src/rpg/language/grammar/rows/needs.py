@@ -19,11 +19,14 @@ def _bracket() -> str:
     return found
 
 
-_PIECES = re.compile(rf"{_bracket()}(?:[?*]\??|\{{0[\d,]*\}}\??)?|[a-z ]+(?![?*+{{])|\\.|\[\^?[^]]+\]|[?*+]\??|\{{[\d,]+\}}\??|.")
+_PIECES = re.compile(
+    rf"{_bracket()}(?:[?*]\??|\{{0[\d,]*\}}\??)?|[a-z ]+(?![?*+{{])|\\.|\[\^?[^]]+\]|[?*+]\??|\{{[\d,]+\}}\??|."
+)
 """Brackets, letters, what stands for one character, and how often something is said."""
 _PLAIN = re.compile(r"\((?:\?:|\?P<\w+>)?([a-z ]+(?:\|[a-z ]+)+)\)")
 """Words of which one is said."""
-_BEGIN = re.compile(r"\((?:\?(?:P<\w+>|P=\w+|<?[=!]|:))?")
+_BEGUN = re.compile(r"\((?:\?:|\?P<\w+>|(?!\?))")
+"""Where a bracket begins whose parts are in the text; others look ahead or behind, or are the same again."""
 
 
 def needed(pattern: str) -> _Needs:
@@ -48,6 +51,8 @@ def _needed(pattern: str) -> _Needs:
         if piece == "|":
             run = []
             ways.append(run)
+        elif piece == "(":
+            raise ValueError(f"brackets are too deep inside of others: {pattern}")
         elif piece[0] == "(":
             run.append(_of_bracket(piece) if piece[-1] == ")" else [])
         elif piece[0] in "?*{" and (piece[0] != "{" or piece[1] == "0"):
@@ -63,15 +68,13 @@ def _needed(pattern: str) -> _Needs:
 
 @cache
 def _of_bracket(bracket: str) -> _Needs:
-    """What is needed of a bracket; patterns are made of the same parts, so that most of them are known already.
-
-    One that looks ahead or behind, or is the same again, needs nothing of its own."""
+    """What is needed of a bracket; patterns are made of the same parts, so that most of them are known already."""
     plain = _PLAIN.fullmatch(bracket)
     if plain is not None:
         phrases = [phrase.split() for phrase in plain[1].split("|")]
         return [frozenset([max(words, key=len) for words in phrases])] if all(phrases) else []
-    begin = _BEGIN.match(bracket)[0]
-    return _needed(bracket[len(begin) : -1]) if begin[-1] in "(:>" else []
+    begun = _BEGUN.match(bracket)
+    return _needed(bracket[begun.end() : -1]) if begun is not None else []
 
 
 def _of_run(run: Iterable[str | _Needs]) -> _Needs:

@@ -6,7 +6,7 @@ import pytest
 
 from tests.corpus.mutations import mutants, reason, sample, unread
 
-SAMPLE = 200
+SAMPLE = 80
 """Of sentences that no longer change."""
 
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import gc
 import re
+from collections.abc import Iterator
 from importlib import import_module
 from pkgutil import walk_packages
 
@@ -14,11 +14,23 @@ import rpg.passes.schema
 from rpg.language.patterns import _OnDemand, on_demand
 
 
+def inside(value: object) -> Iterator[_OnDemand]:
+    """The patterns in a value of a module."""
+    if isinstance(value, _OnDemand):
+        yield value
+    elif isinstance(value, list | tuple):
+        for item in value:
+            yield from inside(item)
+
+
 def test_every_pattern_can_be_compiled() -> None:
-    for package in (rpg.language, rpg.passes.schema):
-        for found in walk_packages(package.__path__, f"{package.__name__}."):
-            import_module(found.name)
-    patterns = [thing for thing in gc.get_objects() if type(thing) is _OnDemand]
+    patterns = [
+        pattern
+        for package in (rpg.language, rpg.passes.schema)
+        for found in walk_packages(package.__path__, f"{package.__name__}.")
+        for value in vars(import_module(found.name)).values()
+        for pattern in inside(value)
+    ]
     assert len(patterns) > 100
     for pattern in patterns:
         assert pattern.compiled.pattern == pattern.text

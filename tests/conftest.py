@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from rpg.cli import SELDOM
+
 HERE = Path(__file__).parent
 LONG = (
     "steer/test_sessions.py",
@@ -22,16 +24,10 @@ LONG = (
 )
 """Files that take a minute or more, the longest first."""
 
-gc.set_threshold(50_000)
+gc.set_threshold(SELDOM)
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Put the long files first."""
     rank = {HERE / name: number for number, name in enumerate(LONG)}
     items.sort(key=lambda item: rank.get(item.path, len(LONG)))
-
-
-def pytest_collection_finish() -> None:
-    """Set the tests apart, with all that was imported for them: they are there to the end."""
-    gc.collect()
-    gc.freeze()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from functools import cache, cached_property, lru_cache
+from functools import cached_property, lru_cache
 from typing import Any, NamedTuple
 
 Beginnings = dict[str, list[tuple[str, ...]]]
@@ -95,7 +95,7 @@ class Slot:
         return frozenset(phrase.split(" ", 1)[0] for phrase in self.phrases)
 
 
-_slot = cache(Slot)
+_slot = lru_cache(maxsize=4096)(Slot)
 """Slots that are written alike are the same."""
 
 

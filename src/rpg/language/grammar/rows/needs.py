@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from functools import cache
+from functools import lru_cache
 
 _Needs = list[frozenset[str]]
 _DEEPEST = 16
@@ -66,7 +66,7 @@ def _needed(pattern: str) -> _Needs:
     return [frozenset[str]().union(*(_most(way) for way in needs))] if all(needs) else []
 
 
-@cache
+@lru_cache(maxsize=4096)
 def _of_bracket(bracket: str) -> _Needs:
     """What is needed of a bracket; patterns are made of the same parts, so that most of them are known already."""
     plain = _PLAIN.fullmatch(bracket)

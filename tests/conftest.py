@@ -1,10 +1,14 @@
-"""The order of the test files: the long ones first, so that no worker is left with one at the end."""
+"""The order of the test files, the long ones first, so that no worker is left with one at the end; and the garbage
+collector, which need not look again and again through what is there for good."""
 
 from __future__ import annotations
 
+import gc
 from pathlib import Path
 
 import pytest
+
+from rpg.cli import SELDOM
 
 HERE = Path(__file__).parent
 LONG = (
@@ -19,6 +23,8 @@ LONG = (
     "corpus/test_framed.py",
 )
 """Files that take a minute or more, the longest first."""
+
+gc.set_threshold(SELDOM)
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -36,16 +37,17 @@ LOADER: type[yaml.SafeLoader] = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 """Seven times as fast where libyaml is there."""
 
 
-def load(split: str) -> list[Entry]:
+@cache
+def load(split: str) -> tuple[Entry, ...]:
     """Every entry of a split, in the order of files and lines."""
-    found = []
+    found: list[Entry] = []
     for path in sorted((FOLDER / split).glob("*.yaml")):
         for data in yaml.load(path.read_text(encoding="utf-8"), Loader=LOADER):
             unknown = set(data) - KEYS
             if unknown:
                 raise ValueError(f"{path}: unknown keys {sorted(unknown)}")
             found += [entry(split, path.stem, text, data) for text in data["say"]]
-    return found
+    return tuple(found)
 
 
 def entry(split: str, phenomenon: str, said: str, data: dict[str, Any]) -> Entry:

@@ -8,9 +8,11 @@ from tests.corpus.mutations import mutants, reason, sample, unread
 
 SAMPLE = 200
 """Of sentences that no longer change."""
+EVERY = 3
+"""Each third of them is read here."""
 
 
-@pytest.mark.parametrize("text", sample(SAMPLE, 5, ("heldout", "fresh")))
+@pytest.mark.parametrize("text", sample(SAMPLE, 5, ("heldout", "fresh"))[::EVERY])
 def test_another_word_is_another_task(text: str) -> None:
     assert not unread(text)
 

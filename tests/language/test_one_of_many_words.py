@@ -12,14 +12,18 @@ import yaml
 from rpg.ir.schema import TaskSchema
 from rpg.passes.schema.ambiguity import same
 from rpg.passes.schema.frontend import BuiltinFrontEnd
+from tests.corpus.entries import LOADER
 
-TABLE = yaml.safe_load(Path(__file__).with_suffix(".yaml").with_stem("one_of_many_words").read_text(encoding="utf-8"))
+FILE = Path(__file__).with_name("one_of_many_words.yaml")
+TABLE = yaml.load(FILE.read_text(encoding="utf-8"), Loader=LOADER)
 SAID = [
     (frame.replace("{}", word), row.get("plainly") or frame.replace("{}", row["like"]))
     for row in TABLE
-    for frame in ([row["said"]] if isinstance(row["said"], str) else row["said"])
-    for word in row["with"].split(" | ")
+    for frames, words in [([row["said"]] if isinstance(row["said"], str) else row["said"], row["with"].split(" | "))]
+    for n in range(max(len(frames), len(words)))
+    for frame, word in [(frames[n % len(frames)], words[n % len(words)])]
 ]
+"""Every word in one of the sentences of its row, and every sentence with one word at least."""
 
 
 @cache

@@ -8,7 +8,7 @@ import pytest
 
 from tests.steer.kills import KINDS, kills
 
-TIMES = 5
+TIMES = 4
 """`make kills` does 200."""
 
 

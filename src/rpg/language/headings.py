@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 
 from rpg.language import lexicon
+from rpg.language.patterns import on_demand
 from rpg.language.tokens import Token
 from rpg.language.word_lists import listed
 
@@ -29,12 +29,12 @@ _ARTICLES = frozenset({"the", "my", "our", "your"})
 
 _STATE = "(?:state|configuration|layout|arrangement|setup|scene|situation|position|condition|picture|world)"
 _EVENT = "(?:episode|task|run|game|trial)"
-_BEFORE = re.compile(
+_BEFORE = on_demand(
     "pre|pre ?conditions?|before|start|initial|initially|now|input|source|old|original|in|from|as is|today|"
     f"(?:current|present|existing|reset|original|opening|old|initial|starting|start) {_STATE}|{_STATE} before|"
     f"before {_EVENT}|what (?:is there|there is|we have|you have|i have|you get|we start with)"
 )
-_AFTER = re.compile(
+_AFTER = on_demand(
     "post|post ?conditions?|after|afterwards|then|later|goal|task|end|finish|final|finally|success|output|target|new|"
     "result|out|to|to be|tomorrow|wanted|desired|required|"
     f"(?:desired|wanted|required|resulting|success|new|final|end|ending|finishing|goal|target) {_STATE}|{_STATE} after|"

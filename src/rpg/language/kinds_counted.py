@@ -10,6 +10,7 @@ from rpg.language.grammar.rows.parting import text_of
 from rpg.language.grammar.rows.turned import Turns, all_of_it, turned
 from rpg.language.grammar.rows.vocabulary import COLOR, MANY, PATCH, number
 from rpg.language.open_colors import CHOSEN
+from rpg.language.patterns import on_demand
 from rpg.language.tokens import Token
 
 _NOUN = "(?:blocks|cubes|bricks|boxes)"
@@ -21,20 +22,20 @@ _EDGE = (
 )
 _LOT = f"(?:an?|one|{MANY}) (?:(?:{_SIZE}|{COLOR}) )*(?:{_SIZE}|{COLOR})\\b(?: (?:ones?|blocks?|cubes?))?{_EDGE}?"
 _END = "(?= [.;:!,]|$| and\\b)"
-_LISTED = re.compile(
+_LISTED = on_demand(
     f"\\b(?:(?P<total>{MANY}) )?{_NOUN} {_KINDS} ?[,:] (?P<list>{_LOT}(?:(?: ,| and| , and) {_LOT})*){_END}"
 )
 _OF_EACH = (
-    re.compile(
+    on_demand(
         f"\\b(?:(?P<total>{MANY}) )?(?P<noun>{_NOUN}) {_KINDS}(?: ,)?(?: and| with)? (?P<each>{MANY})(?: {_NOUN})? "
         f"(?:of|in|per|for) (?:each|every)(?: color| one| of (?:them|these))?{_END}"
     ),
-    re.compile(
+    on_demand(
         f"\\b(?P<each>{MANY}) (?P<noun>{_NOUN}) (?:of|in) (?:each|every) of (?P<kinds>{MANY})(?: different)? "
         f"(?P<what>colors){_END}"
     ),
 )
-_HUED = re.compile(f"\\b{COLOR}\\b(?! {PATCH}\\b)")
+_HUED = on_demand(f"\\b{COLOR}\\b(?! {PATCH}\\b)")
 _ONE = frozenset({"one", "ones", *lexicon.BLOCK})
 
 

@@ -9,6 +9,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import text_of
 from rpg.language.grammar.rows.turned import Turns, all_of_it, turned
 from rpg.language.grammar.rows.vocabulary import COLOR, MUST, PATCH, PATCHES
+from rpg.language.patterns import on_demand
 from rpg.language.tokens import Token
 
 _MARK = f"(?:{PATCHES}|{PATCH})"
@@ -21,7 +22,7 @@ _EACH_TOLD = (
     f"one(?: {PATCH})? is ({COLOR})(?: ,)?(?: and)? (?:one|the other)(?: one| {PATCH})?(?: is)? ({COLOR})(?= [.!]|$)"
 )
 _NAMED = tuple(
-    re.compile(f"(?<![^ ]){pattern}")
+    on_demand(f"(?<![^ ]){pattern}")
     for pattern in (
         f"({COLOR})(?: {PATCH})?{_JOINT}{_AN} ({COLOR}) {_MARK}(?= |$)",
         f"({COLOR}) {_MARK}{_JOINT}{_AN} ({COLOR}) one(?= |$)",
@@ -57,7 +58,7 @@ _DOES = (
 )
 _ON = "(?:(?<=\\bon )|(?<=\\bonto )|(?<=\\bin ))"
 _THEM = "of (?:them|these|those|the two)"
-_CHOSEN = re.compile(
+_CHOSEN = on_demand(
     f"(?<![^ ])(?:(?:either )?(?P<on>on |onto )?the {COLOR}(?: {PATCH})? or (?:on |onto )?the {COLOR} {PATCH}(?= |$)"
     f"|(?:one|either) (?:of (?:the |these |both )?(?:two )?{PATCHES}|{PATCH})(?= |$)(?:{_WHICH}(?= |$))?"
     f"|whichever (?:of (?:the |these )?(?:two )?{PATCHES}|{PATCH})(?:{_LIKED})?(?= |$)"
@@ -65,9 +66,9 @@ _CHOSEN = re.compile(
     f"|{_ON}(?:one|either)(?: {_THEM})?(?= (?:and|or|with|together|[,.;:(])|$)(?:{_WHICH}(?= |$))?"
     f"|(?:(?<=[.:,;] )|^)(?:one|either)(?: {_THEM})? (?={_DOES}))"
 )
-_OTHER = re.compile(f"(?<![^ ])the other(?: one)?(?: {_THEM})?(?: {PATCH})?(?= |$)")
-_THERE = re.compile("(?:^|.* )(?:on|onto|in|into|leave|keep|leaving|keeping|from|off|clear|empty)$")
-_SAME = re.compile(f"{_ON}(?:the same|that same|that)(?: one| {PATCH})(?= |$)(?:{_WHICH}(?= |$))?")
+_OTHER = on_demand(f"(?<![^ ])the other(?: one)?(?: {_THEM})?(?: {PATCH})?(?= |$)")
+_THERE = on_demand("(?:^|.* )(?:on|onto|in|into|leave|keep|leaving|keeping|from|off|clear|empty)$")
+_SAME = on_demand(f"{_ON}(?:the same|that same|that)(?: one| {PATCH})(?= |$)(?:{_WHICH}(?= |$))?")
 _ONE = frozenset({"one", "either", "whichever"})
 _BEGINS = frozenset({"one", "either", "whichever", "same", "share", "or"})
 """Words with which one of two patches is spoken of."""

@@ -69,40 +69,59 @@ def words_of(phrase: str) -> tuple[str, ...]:
     return tuple(phrase.split())
 
 
+class Slot:
+    """Phrases, with "_" inside, and <classes>, with "|" between them; "?" behind a slot that may be left out, "*"
+    behind one that may also be said several times. What is not asked for is not made: there are thousands of slots."""
+
+    def __init__(self, text: str) -> None:
+        names = text.rstrip("?*").split("|")
+        self.phrases = [name.replace("_", " ") for name in names if not name.startswith("<")]
+        self.called = [name[1:-1] for name in names if name.startswith("<")]
+        self.kind = text[-1] if text[-1] in "?*" else ""
+
+    @cached_property
+    def tree(self) -> dict[str | None, Any]:
+        """Its phrases word by word."""
+        return _grown(self.phrases)
+
+    @cached_property
+    def words(self) -> frozenset[str]:
+        """The words of its phrases."""
+        return frozenset(" ".join(self.phrases).split())
+
+    @cached_property
+    def firsts(self) -> frozenset[str]:
+        """The words that its phrases begin with."""
+        return frozenset(phrase.split(" ", 1)[0] for phrase in self.phrases)
+
+
+_slot = lru_cache(maxsize=4096)(Slot)
+"""Slots that are written alike are the same."""
+
+
 class Row:
-    """A row of slots, as it is written: slots between spaces; in a slot phrases, with "_" inside, and <classes>, with
-    "|" between them; "?" behind a slot that may be left out, "*" behind one that may also be said several times."""
+    """A row of slots, as it is written: slots between spaces."""
 
     def __init__(self, text: str, classes: Classes) -> None:
         self.classes = classes
-        self.slots: list[tuple[dict[str | None, Any], list[str], str]] = []
-        for part in text.split(" "):
-            names = part.rstrip("?*").split("|")
-            phrases = [name.replace("_", " ") for name in names if not name.startswith("<")]
-            called = [name[1:-1] for name in names if name.startswith("<")]
-            self.slots.append((_grown(phrases), called, part[-1] if part[-1] in "?*" else ""))
-        self.least = max((n + 1 for n, (_, _, kind) in enumerate(self.slots) if not kind), default=1)
+        self.slots = [_slot(part) for part in text.split(" ")]
+        self.least = max((n + 1 for n, slot in enumerate(self.slots) if not slot.kind), default=1)
         """As many slots are gone through before the row may be over."""
 
     @cached_property
     def firsts(self) -> frozenset[str]:
         """The words that it begins with."""
         firsts: set[str] = set()
-        for tree, called, kind in self.slots:
-            firsts |= {word for word in tree if word is not None}
-            firsts.update(*map(self.classes.firsts, called))
-            if not kind:
+        for slot in self.slots:
+            firsts |= slot.firsts
+            firsts.update(*map(self.classes.firsts, slot.called))
+            if not slot.kind:
                 break
         return frozenset(firsts)
 
-    def words(self) -> Iterator[str]:
+    def words(self) -> frozenset[str]:
         """The words of its phrases."""
-        branches = [tree for tree, _, _ in self.slots]
-        while branches:
-            for word, below in branches.pop().items():
-                if word is not None:
-                    yield word
-                    branches.append(below)
+        return frozenset[str]().union(*(slot.words for slot in self.slots))
 
 
 class Classes:
@@ -110,8 +129,12 @@ class Classes:
 
     def __init__(self, classes: Mapping[str, Iterable[str]] | None = None) -> None:
         self.rows = {name: [Row(row, self) for row in rows] for name, rows in (classes or {}).items()}
-        self.words = frozenset(word for rows in self.rows.values() for row in rows for word in row.words())
         self.begun: dict[str, frozenset[str]] = {}
+
+    @cached_property
+    def words(self) -> frozenset[str]:
+        """The words of all of them."""
+        return frozenset[str]().union(*(row.words() for rows in self.rows.values() for row in rows))
 
     def firsts(self, name: str) -> frozenset[str]:
         """The words that a class begins with."""
@@ -132,7 +155,7 @@ class Place(NamedTuple):
         """Where a word leads."""
         slots = self.row.slots
         if self.said:
-            branch = slots[self.slot][0]
+            branch = slots[self.slot].tree
             for said in self.said:
                 branch = branch[said]
             if word in branch:
@@ -140,13 +163,14 @@ class Place(NamedTuple):
             return
         classes = self.row.classes
         for slot in range(self.slot, len(slots)):
-            tree, called, kind = slots[slot]
-            if word in tree:
-                yield from self._said(slot, (word,), tree[word])
-            for row in (row for name in called if word in classes.firsts(name) for row in classes.rows[name]):
+            if word in slots[slot].firsts:
+                yield from self._said(slot, (word,), slots[slot].tree[word])
+            for row in (
+                row for name in slots[slot].called if word in classes.firsts(name) for row in classes.rows[name]
+            ):
                 if word in row.firsts:
                     yield from Place(row, 0, (), Place(self.row, slot, (), self.back)).after(word)
-            if not kind:
+            if not slots[slot].kind:
                 break
 
     def _said(self, slot: int, said: tuple[str, ...], branch: dict[str | None, Any]) -> Iterator[Place]:
@@ -159,7 +183,7 @@ class Place(NamedTuple):
     def _full(self) -> Iterator[Place]:
         """Behind a slot in which all is said, and behind the rows that end with it."""
         row, slot, _, back = self
-        if row.slots[slot][2] == "*":
+        if row.slots[slot].kind == "*":
             yield self
         elif slot + 1 < len(row.slots):
             yield Place(row, slot + 1, (), back)
@@ -172,10 +196,19 @@ class Rows:
 
     def __init__(self, rows: Iterable[str], classes: Classes) -> None:
         self.rows = [Row(row, classes) for row in rows]
-        self.words = classes.words.union(*(row.words() for row in self.rows))
-        self.firsts = frozenset[str]().union(*(row.firsts for row in self.rows))
+        self.classes = classes
         self.steps: dict[frozenset[Place], Step] = {}
         self.begin = Step(self, frozenset(Place(row, 0, (), None) for row in self.rows))
+
+    @cached_property
+    def words(self) -> frozenset[str]:
+        """All the words of them and of the classes that they may speak of."""
+        return self.classes.words.union(*(row.words() for row in self.rows))
+
+    @cached_property
+    def firsts(self) -> frozenset[str]:
+        """The words that they begin with."""
+        return frozenset[str]().union(*(row.firsts for row in self.rows))
 
     def whole(self, words: Sequence[str]) -> bool:
         """Whether all of the words, and no more, are one of these rows."""

@@ -11,6 +11,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import text_of
 from rpg.language.grammar.rows.turned import Turns, all_of_it, turned
 from rpg.language.grammar.rows.vocabulary import COLOR, MANY, PATCH, PATCHES, number
+from rpg.language.patterns import on_demand
 from rpg.language.tokens import Token
 
 _IS = "(that|which) (is|are)"
@@ -21,14 +22,14 @@ _NOR = Turns([
     (f"\\b{_IS} (?:neither|not) ({COLOR}) (?:nor|or) ({COLOR})\\b", "{1} {2} not {3} and not {4}"),
 ])  # fmt: skip
 _ONES = "(?:blocks|cubes|ones|pieces)"
-_ALIKE = re.compile(
+_ALIKE = on_demand(
     f"\\b(?:the|both)(?: (?P<many>{MANY}))?(?:(?: {_ONES})?"
     "(?: (?:that|which|who) (?:share|have|are of|are in)| of| with|(?: both)? having| sharing)(?: both)? "
     "(?:an? (?:common |single )?|the (?:very )?same |one (?:and the same )?|equal |an identical )color"
     f"|(?: {_ONES})? (?:that|which) (?:are alike|look alike|look the same|are the same color|are identical)"
     f"| (?:identical|like colored|same colored) {_ONES})(?! as\\b)"
 )
-_LOT = re.compile(f"\\b(?P<many>an?|{MANY}) (?P<color>{COLOR})\\b(?! (?:{PATCH}|{PATCHES})\\b)")
+_LOT = on_demand(f"\\b(?P<many>an?|{MANY}) (?P<color>{COLOR})\\b(?! (?:{PATCH}|{PATCHES})\\b)")
 
 
 def singled_out(tokens: list[Token]) -> tuple[list[Token], list[str]]:
@@ -62,13 +63,13 @@ def _alike(tokens: list[Token]) -> list[Token]:
 
 _ONE = "(?:letter|one|block|cube|character)"
 _COMES = "(?:that|which) (?:comes|is|stands|appears|goes)"
-_ENDS = re.compile(
+_ENDS = on_demand(
     f"\\bthe {_ONE} {_COMES} (?P<a>first|earliest|last|latest) (?:in|by) (?:the )?(?:alphabet|alphabetical order)\\b|"
     f"\\bthe alphabetically (?P<b>first|earliest|last|latest) {_ONE}\\b|"
     f"\\bthe {_ONE} {_COMES} alphabetically (?P<c>first|last)\\b|"
     f"\\bthe {_ONE} {_COMES} (?P<d>first|last) alphabetically\\b"
 )
-_OTHER_END = re.compile(
+_OTHER_END = on_demand(
     f"\\bthe (?:{_ONE} {_COMES} (?P<a>first|earliest|last|latest)|(?P<b>first|last)(?: one)?(?= [.?!]|$))"
 )
 _LISTED = frozenset({",", "and", "&"})

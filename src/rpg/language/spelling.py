@@ -74,19 +74,16 @@ def vocabulary() -> frozenset[str]:
     for value in _own(lexicon):
         if isinstance(value, dict | frozenset):
             words.update(str(word) for word in value)
+    told = _Told()
     for found in walk_packages(grammar.__path__, f"{grammar.__name__}."):
         module = import_module(found.name)
         for value in _own(module):
             code = getattr(getattr(value, "__wrapped__", value), "__code__", None)
             if code is not None and code.co_filename == module.__file__:
-                words |= _words_in(code)
-            elif isinstance(value, Patterns):
-                words |= value.words
-            elif isinstance(value, dict | tuple | frozenset):
-                words |= _words_of(value)
-            if isinstance(value, dict):
-                words = words.union(*(kept.words for kept in value.values() if isinstance(kept, Patterns)))
-    words |= frames.words()
+                told.by_code(code)
+            elif not isinstance(value, str):  # a string of its own is a part of others, or a pattern
+                told.by(value)
+    words |= told.words() | frames.words()
     words -= _FIELDS
     return frozenset(w for w in words if (w.isalpha() and w.islower()) or w in lexicon.ORDINAL)
 
@@ -100,23 +97,40 @@ def _own(module: ModuleType) -> Iterator[object]:
     return (value for name, value in vars(module).items() if not name.startswith("__"))
 
 
-def _words_in(code: CodeType) -> set[str]:
-    """The words of the strings in a function, its documentation left out."""
-    found: set[str] = set()
-    for index, constant in enumerate(code.co_consts):
-        if isinstance(constant, CodeType):
-            found |= _words_in(constant)
-        elif not (index == 0 and isinstance(constant, str)):
-            found |= _words_of(constant)
-    return found
+class _Told:
+    """The strings in values; what several modules import is looked through once."""
 
+    def __init__(self) -> None:
+        self.texts: set[str] = set()
+        self._seen: set[int] = set()
 
-def _words_of(value: object) -> set[str]:
-    if isinstance(value, str):
-        return set(value.split())
-    if isinstance(value, dict | tuple | frozenset):
-        return {word for item in value for word in _words_of(item)}
-    return set()
+    def by(self, value: object) -> None:
+        """Add the strings in a value; of a dictionary, of its keys and of its patterns."""
+        if isinstance(value, str):
+            self.texts.add(value)
+        elif isinstance(value, Patterns):
+            self.texts |= value.words
+        elif isinstance(value, dict | tuple | frozenset) and id(value) not in self._seen:
+            self._seen.add(id(value))
+            self.texts.update(item for item in value if isinstance(item, str))
+            for item in value:
+                if not isinstance(item, str):
+                    self.by(item)
+            for item in value.values() if isinstance(value, dict) else ():
+                if isinstance(item, Patterns):
+                    self.by(item)
+
+    def by_code(self, code: CodeType) -> None:
+        """Add the strings in a function, its documentation left out."""
+        for index, constant in enumerate(code.co_consts):
+            if isinstance(constant, CodeType):
+                self.by_code(constant)
+            elif not (index == 0 and isinstance(constant, str)):
+                self.by(constant)
+
+    def words(self) -> set[str]:
+        """The words of these strings."""
+        return set(" ".join(self.texts).split())
 
 
 def distance(a: str, b: str, limit: int) -> int:

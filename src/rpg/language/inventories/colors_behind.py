@@ -8,22 +8,23 @@ import re
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import text_of
 from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, FEW, PATCH, PATCHES
+from rpg.language.patterns import on_demand
 from rpg.language.tokens import Token
 
 _LIST = rf"{COLOR}(?:(?: ,| and| , and)+ {COLOR})+"
 _MANY = rf"(?:{FEW}|\d+)"
 _AS_WELL = r"(?: ,)? and (there (?:is|are) [^.;!]+)"
-_PATCHES_ARE = re.compile(rf"^(?:the |all )*(?:({_MANY}) )?(?:{PATCHES}) are ({_LIST})(?:{_AS_WELL})? [.;!]$")
-_ONE_PATCH = re.compile(
+_PATCHES_ARE = on_demand(rf"^(?:the |all )*(?:({_MANY}) )?(?:{PATCHES}) are ({_LIST})(?:{_AS_WELL})? [.;!]$")
+_ONE_PATCH = on_demand(
     rf"^one (?:{PATCH}) is ({COLOR})(?: ,| and| , and) the other(?: one| {PATCH})?(?: is)? ({COLOR}) [.;!]$"
 )
-_OTHERS_ARE = re.compile(
+_OTHERS_ARE = on_demand(
     rf"^the (?:others|rest|other ones|other {CUBE}s|(?:other|remaining) ({_MANY})(?: {CUBE}s| ones)?) are (?:all )?"
     rf"(?:({_LIST})|(?:({_MANY}) )?({COLOR})(?: {CUBE}s| ones)?) [.;!]$"
 )
-_OTHER = re.compile(rf"\bthe (?:other|remaining) ({_MANY})\b")
-_NAMED = re.compile(rf"\b(?:the|an?) ({COLOR}) (?:{CUBE}|one)\b")
-_COUNTED = re.compile(rf"\b(?:{_MANY}|all|both|each|every|no) ({COLOR})\b|\b{COLOR} (?:{CUBE}s|ones)\b")
+_OTHER = on_demand(rf"\bthe (?:other|remaining) ({_MANY})\b")
+_NAMED = on_demand(rf"\b(?:the|an?) ({COLOR}) (?:{CUBE}|one)\b")
+_COUNTED = on_demand(rf"\b(?:{_MANY}|all|both|each|every|no) ({COLOR})\b|\b{COLOR} (?:{CUBE}s|ones)\b")
 
 
 def colors_behind(part: list[Token], rest: list[Token]) -> list[Token] | None:

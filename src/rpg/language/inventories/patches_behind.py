@@ -3,17 +3,16 @@ on the green one"."""
 
 from __future__ import annotations
 
-import re
-
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import text_of
 from rpg.language.grammar.rows.vocabulary import COLOR, FEW, PATCH, PATCHES
+from rpg.language.patterns import on_demand
 from rpg.language.tokens import Token
 
-_ALL_OF_THEM = re.compile(rf"\b(?:(both)(?: of)?(?: the)?|(?:the|these|my)(?: ({FEW}|\d+))?) {PATCHES}\b")
-_THERE = re.compile(rf"\bthere (?:is|are) (?:(?!\.).)*\b(?:{PATCH}|{PATCHES})\b")
-_NAMED = re.compile(rf"\b({COLOR}) {PATCH}\b")
-_ON_ONE = re.compile(rf"\b(?:on|onto|in|into) (?:the )?({COLOR})(?: one)?(?=$| (?:[,.;!:]|(?:and|as|than|but|or)\b))")
+_ALL_OF_THEM = on_demand(rf"\b(?:(both)(?: of)?(?: the)?|(?:the|these|my)(?: ({FEW}|\d+))?) {PATCHES}\b")
+_THERE = on_demand(rf"\bthere (?:is|are) (?:(?!\.).)*\b(?:{PATCH}|{PATCHES})\b")
+_NAMED = on_demand(rf"\b({COLOR}) {PATCH}\b")
+_ON_ONE = on_demand(rf"\b(?:on|onto|in|into) (?:the )?({COLOR})(?: one)?(?=$| (?:[,.;!:]|(?:and|as|than|but|or)\b))")
 """What behind a patch that is named is another one."""
 
 

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 
 from rpg.language.grammar.rows.parting import sentences
 from rpg.language.grammar.rows.vocabulary import COLOR, MANY
+from rpg.language.patterns import on_demand
 from rpg.language.tokens import Token
 from rpg.passes.schema.resolve.things.world import refuse
 
 _LINE = f"(?:row|line|column) of {MANY}"
 _ONE = f"(?:the )?(?:left|right|leftmost|rightmost)(?: one)? {COLOR}"
-_SHARED = re.compile(f"\\b{_LINE}\\b.*\\b{_LINE}\\b[^,]*? , {_ONE}(?: ,| and| , and) {_ONE}\\b")
+_SHARED = on_demand(f"\\b{_LINE}\\b.*\\b{_LINE}\\b[^,]*? , {_ONE}(?: ,| and| , and) {_ONE}\\b")
 
 
 def check_ends_of_which(tokens: Sequence[Token]) -> None:

@@ -3,7 +3,6 @@ many they are. It is looked for in the words as they were typed."""
 
 from __future__ import annotations
 
-import re
 from itertools import pairwise
 
 from rpg.ir.goal import Not
@@ -27,6 +26,7 @@ from rpg.ir.walk import names
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import sentences, text_of
 from rpg.language.grammar.rows.vocabulary import COLOR, LINE, MANY, MUST, TOWER
+from rpg.language.patterns import on_demand
 from rpg.language.tokens import Token
 from rpg.passes.schema.ends_counted import ends_counted
 from rpg.passes.schema.line_numbers import (
@@ -60,15 +60,15 @@ def check_lines(tokens: list[Token], task: TaskSchema) -> None:
 
 
 _A_LINE = f"(?:an?|one|a single|the same) {LINE}\\b"
-_ALL_IN_ONE = re.compile(
+_ALL_IN_ONE = on_demand(
     f"(?:, (?:all )?|\\ball (?:of (?:them|these) )?)in {_A_LINE}|\\bin (?:one|a single|the same) {LINE}\\b"
     f"|\\bin {_A_LINE} of {MANY}\\b|\\bbetween .* in {_A_LINE}(?=$| [.;,])"
 )
 """What takes in all that the sentence speaks of."""
-_ONE_LINE = re.compile(f"\\b(?:in|into|to form) (?:one|a single|the same) {LINE}\\b")
-_FIRST_IN_IT = re.compile(f"^in {_A_LINE}(?= .*\\bfirst\\b.*\\bthen\\b)")
+_ONE_LINE = on_demand(f"\\b(?:in|into|to form) (?:one|a single|the same) {LINE}\\b")
+_FIRST_IN_IT = on_demand(f"^in {_A_LINE}(?= .*\\bfirst\\b.*\\bthen\\b)")
 """A line in which something comes first."""
-_TOGETHER = re.compile(f"\\bin {_A_LINE}")
+_TOGETHER = on_demand(f"\\bin {_A_LINE}")
 _BESIDE = (Adjacent, Behind, Beside, Between, GroupBy, InFrontOf, LeftOf, Near, RightOf, Touching)
 """What is told of blocks beside each other, which those of one row are."""
 
@@ -103,11 +103,11 @@ def _apart(said: Said) -> None:
 
 
 _A_LOT = f"(?:(?:an?|{MANY}) )?{COLOR}(?: blocks?| cubes?)?"
-_MADE_OF = re.compile(
+_MADE_OF = on_demand(
     f"\\b{LINE} (?:made )?(?:of|from|with) (?P<listed>{_A_LOT}(?: , {_A_LOT})*(?: ,)? and {_A_LOT})"
     "(?=$| [,.;]| with\\b)"
 )
-_OF_IT = re.compile(
+_OF_IT = on_demand(
     f" , (?:the )?{COLOR}(?: one| block)? (?:on |to |at )?(?:the )?(?:left|right|behind|in front) (?:side )?"
     "(?:of )?it\\b"
 )
@@ -125,7 +125,7 @@ def _all_listed(said: Said) -> None:
                            "tell where it is in a sentence of its own")  # fmt: skip
 
 
-_TWICE = re.compile(r"\b(?:together|side by side)\b.*\b(?:together|side by side)\b")
+_TWICE = on_demand(r"\b(?:together|side by side)\b.*\b(?:together|side by side)\b")
 
 
 def _each_together(said: Said) -> None:
@@ -138,7 +138,7 @@ def _each_together(said: Said) -> None:
                            "say 'in a row, the same colors together'")  # fmt: skip
 
 
-_AMID = re.compile(f"\\b{LINE} of .*\\bbetween\\b")
+_AMID = on_demand(f"\\b{LINE} of .*\\bbetween\\b")
 
 
 def _amid(said: Said) -> None:
@@ -153,7 +153,7 @@ def _amid(said: Said) -> None:
                                "list the row from one end to the other")  # fmt: skip
 
 
-_AT_LEAST = re.compile(
+_AT_LEAST = on_demand(
     f"\\b{LINE} (?:with|having|containing|including|that has|that contains|which has|which contains) "
     f"(?:at least|no fewer than|not fewer than) {MANY} {COLOR}(?: blocks?| cubes?| ones?)?(?= in it\\b|$| [,.;])"
 )
@@ -167,7 +167,7 @@ def _at_least(said: Said) -> None:
                            "say of which blocks it is built, and of how many")  # fmt: skip
 
 
-_ONE_ON_IT = re.compile(
+_ONE_ON_IT = on_demand(
     f"\\b{TOWER} of {MANY}(?: {COLOR})?(?: blocks| cubes)?(?: ,| and| , and| with) one on (?:top of )?(?:it|them)\\b"
 )
 
@@ -180,7 +180,7 @@ def _one_on_it(said: Said) -> None:
                            "say how many blocks the tower has with it")  # fmt: skip
 
 
-_BOTH_ENDS = re.compile(r"\bleft end\b(?! of).*\bright end\b(?! of)|\bright end\b(?! of).*\bleft end\b(?! of)")
+_BOTH_ENDS = on_demand(r"\bleft end\b(?! of).*\bright end\b(?! of)|\bright end\b(?! of).*\bleft end\b(?! of)")
 
 
 def _ends_of_none(said: Said) -> None:
@@ -191,7 +191,7 @@ def _ends_of_none(said: Said) -> None:
                            "say 'a row with ...', or 'of the table'")  # fmt: skip
 
 
-_EACH_TWO = re.compile(r"\bbetween (?:each|every|any|all)(?: two| pair| 2)\b")
+_EACH_TWO = on_demand(r"\bbetween (?:each|every|any|all)(?: two| pair| 2)\b")
 
 
 def _between_each(said: Said) -> None:
@@ -208,7 +208,7 @@ def _between_each(said: Said) -> None:
                                "say how many blocks alternate, or list them from one end to the other")  # fmt: skip
 
 
-_ITS_ROWS = re.compile("(?:,|with|and|whose|where) (?:the |its |all |all the )?(?:rows|columns) (?!of\\b)")
+_ITS_ROWS = on_demand("(?:,|with|and|whose|where) (?:the |its |all |all the )?(?:rows|columns) (?!of\\b)")
 
 
 def _rows_of_it(said: Said) -> None:
@@ -220,7 +220,7 @@ def _rows_of_it(said: Said) -> None:
                            "say 'each row of the grid', or 'and two rows beside it'")  # fmt: skip
 
 
-_TOUCHING = re.compile(r"\ball (?:of (?:them|these) )?(?:touching|touch)\b")
+_TOUCHING = on_demand(r"\ball (?:of (?:them|these) )?(?:touching|touch)\b")
 
 
 def _all_touching(said: Said) -> None:
@@ -236,9 +236,9 @@ _LISTED = f"{COLOR}(?:(?: ,)?(?: and(?: then)?| then)?(?: an?| one)? {COLOR})+"
 _THEY = "(?:they|it|these|the (?:blocks|cubes|letters|digits|numbers)|(?:the|its|their) (?:colors?|order|sequence))"
 _GO = f"{_THEY} (?:(?:{MUST} )?(?:go|run|read|come)|goes|runs|reads)(?: ,| :)?"
 _ARE = f"(?:the|its|their) colors (?:are|{MUST} be)(?: ,| :)?"
-_ORDERED = re.compile(f"\\b{_GO} (?P<listed>{_LISTED})")
-_REPEATED = re.compile(f"\\b(?:{_ARE} |in |: )(?P<listed>{_LISTED})")
-_SYMBOLS = re.compile(f"\\b{_GO} (?P<listed>[a-z\\d](?:(?: ,)? (?:and )?[a-z\\d])+)(?=$| )")
+_ORDERED = on_demand(f"\\b{_GO} (?P<listed>{_LISTED})")
+_REPEATED = on_demand(f"\\b(?:{_ARE} |in |: )(?P<listed>{_LISTED})")
+_SYMBOLS = on_demand(f"\\b{_GO} (?P<listed>[a-z\\d](?:(?: ,)? (?:and )?[a-z\\d])+)(?=$| )")
 
 
 def _in_order(said: Said) -> None:
@@ -267,7 +267,7 @@ def _in_order_of(said: Said) -> None:
                            "say it where the line is told, as in 'a row: A, B, C'")  # fmt: skip
 
 
-_MIRRORED = re.compile("\\b(?:mirrored|symmetric|symmetrical)\\b")
+_MIRRORED = on_demand("\\b(?:mirrored|symmetric|symmetrical)\\b")
 
 
 def _mirrored(said: Said) -> None:
@@ -280,10 +280,8 @@ def _mirrored(said: Said) -> None:
                                "say 'from right to left', or list the blocks in their order")  # fmt: skip
 
 
-_OTHER_END = re.compile(r"\b(?:the|its) (?:other|opposite) end\b")
-_KNOWN = re.compile(
-    f"\\b(?:one|an?|left|right|top|bottom|front|back|near|far|either) end\\b|\\b(?:start|begin)|{LINE}s"
-)
+_OTHER_END = on_demand(r"\b(?:the|its) (?:other|opposite) end\b")
+_KNOWN = on_demand(f"\\b(?:one|an?|left|right|top|bottom|front|back|near|far|either) end\\b|\\b(?:start|begin)|{LINE}s")
 
 
 def _other_end(said: Said) -> None:
@@ -294,7 +292,7 @@ def _other_end(said: Said) -> None:
                            "say 'left' or 'right', and of the start 'at the start, there is a row of ...'")  # fmt: skip
 
 
-_SIDED = re.compile(
+_SIDED = on_demand(
     f"\\b{LINE}(?: of {MANY}(?: blocks| cubes)?)? (?:with|having|that has|:) .*\\b(?:side|left|right|center|middle)\\b"
 )
 _TABLE = frozenset({*lexicon.TABLE_NOUNS.split(), "half", "halves", "workspace"})
@@ -309,14 +307,14 @@ def _side_of_it(said: Said) -> None:
                            "say 'at the left end' or 'of the table'")  # fmt: skip
 
 
-_SPACED = re.compile(r"\b(?:cm|mm|inches) apart\b")
-_IN_LINE = re.compile(
+_SPACED = on_demand(r"\b(?:cm|mm|inches) apart\b")
+_IN_LINE = on_demand(
     f"\\b(?:{LINE}s?|lined?|aligned|spac\\w+|neighbou?rs?|neighbou?ring|next|adjacent|side by side|queue|from left|one "
     "after|in order|gaps?|words?|spell\\w*)\\b"
 )
 
 
-_ANY_MORE = re.compile(r"\b(?:any|every) (?:three|four|five|six|[3-9])\b")
+_ANY_MORE = on_demand(r"\b(?:any|every) (?:three|four|five|six|[3-9])\b")
 
 
 def _spaced(said: Said) -> None:
@@ -331,7 +329,7 @@ def _spaced(said: Said) -> None:
                            "say 'in a row, 10 cm apart', or 'every two of them 10 cm apart'")  # fmt: skip
 
 
-_NEXT = re.compile(r"\b(?:(?:from|to) (?:the next|its neighbors?)|neighbors|neighboring)\b")
+_NEXT = on_demand(r"\b(?:(?:from|to) (?:the next|its neighbors?)|neighbors|neighboring)\b")
 
 
 def _to_the_next(said: Said) -> None:
@@ -348,7 +346,7 @@ def _to_the_next(said: Said) -> None:
                            "say 'with gaps of at most 2 cm', or 'with 6 cm between centers'")  # fmt: skip
 
 
-_WAY = re.compile(r"\b(left|right|bottom|top|front|back) to (?:the )?(left|right|bottom|top|front|back)\b")
+_WAY = on_demand(r"\b(left|right|bottom|top|front|back) to (?:the )?(left|right|bottom|top|front|back)\b")
 
 
 def _both_ways(said: Said) -> None:

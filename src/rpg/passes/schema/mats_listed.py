@@ -2,24 +2,24 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 
 from rpg.ir.schema import TaskSchema
 from rpg.ir.walk import names
 from rpg.language import lexicon
 from rpg.language.grammar.rows.vocabulary import COLOR, PATCH, PATCHES
+from rpg.language.patterns import on_demand
 from rpg.language.tokens import Token
 from rpg.passes.schema.resolve.things.world import refuse
 
-_LISTED = re.compile(
+_LISTED = on_demand(
     "\\b(?:each|every|both|all)(?: one)?(?: of)?(?: the)? (?:mats?|patch|patches|zones?|targets?|areas?|spots?)\\b.*"
     f"\\b(?:there (?:is|are)|(?:we|i|you) (?:have|got|have got)) ({COLOR}(?: , {COLOR})*(?: ,)? and {COLOR})"
     "(?= \\.|$)"
 )
 
 
-_APPOSED = re.compile(
+_APPOSED = on_demand(
     f"\\b{PATCHES} [,(:] (?:an?|one) {COLOR} (?:one|{PATCH})(?: , (?:an?|one) {COLOR} (?:one|{PATCH}))*(?: ,)? and "
     f"(?:an?|one) {COLOR} one(?= [.,;)]|$)"
 )
@@ -59,7 +59,7 @@ def _apposed(text: str, tokens: Sequence[Token], task: TaskSchema) -> None:
                      )  # fmt: skip
 
 
-_NOT_THE = re.compile(
+_NOT_THE = on_demand(
     f"\\b(?:on|in|onto|into|inside|to) (?:the|an?) {COLOR} {PATCH}(?: ,)? (?:and |but )?not (?:the )?(?P<color>{COLOR})"
     "(?: one)?(?= [.,;!?]|$)"
 )

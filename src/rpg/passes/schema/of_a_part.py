@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 
 from rpg.ir.assets import SemanticCube
@@ -14,6 +13,7 @@ from rpg.ir.walk import names as names_in
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import sentences
 from rpg.language.grammar.rows.vocabulary import COLOR, CUBE
+from rpg.language.patterns import on_demand
 from rpg.language.tokens import Token
 from rpg.passes.schema.resolve.things.world import refuse
 
@@ -26,22 +26,22 @@ _NOUN = "|".join((*lexicon.BLOCK, *lexicon.STRUCTURE, *lexicon.NUMBER, "one", "o
 _PART = rf"\b{_NAMED}(?: (?:{_NOUN}|\d+))*(?: (?:is|are|(?:should|must|shall) be))? (?:{COLOR})"
 _LAID = r"touching|apart|turned|rotated|facing|upside|\d[\d.]* cm"
 _PLACED = rf"{_LAID}|in|on (?=the|an?\b)|next to|beside|behind"
-_AND_SO = re.compile(rf"{_PART} and (?:not )?({_PLACED}|on|{'|'.join(lexicon.SIZE)})\b(.*)")
-_LOT_SO = re.compile(
+_AND_SO = on_demand(rf"{_PART} and (?:not )?({_PLACED}|on|{'|'.join(lexicon.SIZE)})\b(.*)")
+_LOT_SO = on_demand(
     rf", (?:(?:{'|'.join(lexicon.NUMBER)}|\d+) (?:{COLOR}) (?:and|,)|"
     rf"the (?:{COLOR}|\w)(?: (?:{_NOUN}))? (?:on|at|in) (?:the )?\w+ and) (?:not )?({_LAID})\b(.*)"
 )
-_BETWEEN = re.compile(rf"{_PART}(?: ,)? ({_PLACED})\b[^,;]*[,;] (?:and )?(?:{_NAMED}|the (?:others?|rest)\b)(.*)")
+_BETWEEN = on_demand(rf"{_PART}(?: ,)? ({_PLACED})\b[^,;]*[,;] (?:and )?(?:{_NAMED}|the (?:others?|rest)\b)(.*)")
 _SIDE = rf"(?:{'|'.join(_WHERE)})"
 _ONES = rf"(?:{'|'.join(word for word, many in lexicon.BLOCK.items() if many)}|ones)"
-_SEVERAL = re.compile(rf"\bthe {_SIDE} {_ONES} (?:(?:is|are|being|(?:should|must|shall) be) )?(?:all )?({COLOR})\b|"
+_SEVERAL = on_demand(rf"\bthe {_SIDE} {_ONES} (?:(?:is|are|being|(?:should|must|shall) be) )?(?:all )?({COLOR})\b|"
                       rf"\b({COLOR}) {_SIDE} {_ONES}\b")  # fmt: skip
-_ONE = re.compile(rf"\b{_NAMED}(?: (?:one|block|letter|digit))? (?:(?:is|should be|must be) )?({COLOR})$")
-_LAST_OF_ALL = re.compile(
+_ONE = on_demand(rf"\b{_NAMED}(?: (?:one|block|letter|digit))? (?:(?:is|should be|must be) )?({COLOR})$")
+_LAST_OF_ALL = on_demand(
     rf"^(?:an?|{'|'.join(lexicon.NUMBER)}|\d+) [^,;:]+ and (?:an?|one) (?:{COLOR}) (?:one|{CUBE}) in the "
     r"(?:very )?(?:middle|center)$"
 )
-_REST = re.compile(rf"\bthe (?:others|rest|other (?:ones|blocks)) (?:are|is|should be|must be) (?:all )?({COLOR})\b")
+_REST = on_demand(rf"\bthe (?:others|rest|other (?:ones|blocks)) (?:are|is|should be|must be) (?:all )?({COLOR})\b")
 
 
 def check_parts(tokens: list[Token], task: TaskSchema) -> None:
@@ -76,7 +76,7 @@ def check_parts(tokens: list[Token], task: TaskSchema) -> None:
 
 
 _PLACE = rf"(?:the )?(?:\w+ )?(?:{'|'.join(sorted(_WHERE))})(?: \w+)?"
-_OF_SO_MANY = re.compile(
+_OF_SO_MANY = on_demand(
     rf"\b({'|'.join(lexicon.NUMBER)}|\d+) ({COLOR}) (?:{'|'.join(lexicon.BLOCK)})\b[^:]*?(?: with| where| in which| ,|"
     rf" but) the {_PLACE}(?:(?: ,| and| , and) {_PLACE})? (?:(?:is|are|being|(?:must|should) be) )?({COLOR})"
     r"(?= ?[,.;!]| and\b|$)"

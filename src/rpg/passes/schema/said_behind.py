@@ -3,7 +3,6 @@ that no two blocks are alike, which way a line goes. It is looked for in the wor
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from itertools import pairwise
 
@@ -18,6 +17,7 @@ from rpg.ir.structures import Equation, Figure, Grid, Row, Spells, Stack
 from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import STOPS, sentences
+from rpg.language.patterns import on_demand
 from rpg.language.tokens import Token
 from rpg.passes.schema.brought_in import check_brought_in
 from rpg.passes.schema.ends_of_which import check_ends_of_which
@@ -72,7 +72,7 @@ def check_behind(tokens: list[Token], task: TaskSchema) -> None:
 
 
 _SIDE = r"(?:on|at) the (?:\w+ )?(?:left|right|top|bottom|front|back|near|far)(?: end| side)?"
-_FROM_END_TO_END = re.compile(
+_FROM_END_TO_END = on_demand(
     rf"\b(?:row|line|column|tower|stack) from (?:the )?(\w+) {_SIDE} to (?:the )?(\w+) "
     rf"{_SIDE}"
 )
@@ -86,7 +86,7 @@ def _from_end_to_end(sentence: Sequence[Token], task: TaskSchema) -> None:
                      "name all the blocks, or say 'in rainbow order'")  # fmt: skip
 
 
-_LINES_WITHIN = re.compile(r"(?:\bgrid|\bwall|\d+x\d+)\b.*\b(?:rows|columns|layers) alternat")
+_LINES_WITHIN = on_demand(r"(?:\bgrid|\bwall|\d+x\d+)\b.*\b(?:rows|columns|layers) alternat")
 
 
 def _lines_within(sentence: Sequence[Token], task: TaskSchema) -> None:
@@ -97,7 +97,7 @@ def _lines_within(sentence: Sequence[Token], task: TaskSchema) -> None:
                      "say 'with rows alternating red and blue'")  # fmt: skip
 
 
-_ANY_BUT = re.compile(
+_ANY_BUT = on_demand(
     rf"\bany (?:of the )?(?:\w+ )?(?:{'|'.join(lexicon.BLOCK)}|ones?) (?:but|except|besides|other than)\b"
 )
 _DENIED = frozenset({"not", "never", "no", "without", "nothing", "nobody", "none", "if"})
@@ -112,7 +112,7 @@ def _any_but(sentence: Sequence[Token]) -> None:
 
 
 _OFF = r"\d[\d.]* cm (?:further )?(?:to )?(?:the )?(?:left|right|behind|in front|away)\b"
-_ASLANT = re.compile(rf"\b{_OFF}[^,;]*\band (?:also )?{_OFF}[^,;]*\b(?:it|them|that)\b")
+_ASLANT = on_demand(rf"\b{_OFF}[^,;]*\band (?:also )?{_OFF}[^,;]*\b(?:it|them|that)\b")
 
 
 def _aslant(sentence: Sequence[Token]) -> None:
@@ -122,7 +122,7 @@ def _aslant(sentence: Sequence[Token]) -> None:
                      (sentence[0].span[0], sentence[-1].span[1]), "say how far apart they are")  # fmt: skip
 
 
-_LISTED_FROM = re.compile(
+_LISTED_FROM = on_demand(
     r"(?:\bfrom (?:the )?(?:left|right|top|bottom)|(?<!\brows )\bfrom (?:the )?(?:front|back))(?: to (?:the )?\w+)? :"
 )
 
@@ -156,7 +156,7 @@ _TABLE = frozenset(lexicon.TABLE_NOUNS.split())
 _POLITE = frozenset({"please", "and", "but", "then", "always", "just"})
 _BEGIN = frozenset({"begin", "start"})
 _ARTICLES = frozenset({"the", "a", "one", "ones", "of", "with", "from"})
-_IS_FIRST = re.compile(r"(?:the )?first (?:one |block |cube )?(?:is|are|must be|should be|comes|to be|goes) ")
+_IS_FIRST = on_demand(r"(?:the )?first (?:one |block |cube )?(?:is|are|must be|should be|comes|to be|goes) ")
 
 
 def _begun_with(sentence: Sequence[Token], task: TaskSchema) -> None:
@@ -192,7 +192,7 @@ def _done_first(sentence: Sequence[Token], before: Sequence[Sequence[Token]], ta
 
 
 _PATCHES = frozenset(lexicon.PATCH_NOUNS.split())
-_ALSO = re.compile(r"there (?:is|are) also (?:a|an|one) ")
+_ALSO = on_demand(r"there (?:is|are) also (?:a|an|one) ")
 
 
 def _also_there(sentence: Sequence[Token], before: Sequence[Sequence[Token]], task: TaskSchema) -> None:
@@ -208,9 +208,7 @@ def _also_there(sentence: Sequence[Token], before: Sequence[Sequence[Token]], ta
                      "say how many such blocks there are, and put 'one of them'")  # fmt: skip
 
 
-_THERE = re.compile(
-    r"(?:there (?:is|are) .+ there|at the start ,? ?(?!there ).+ (?:is|are) there)(?: now| right now)?$"
-)
+_THERE = on_demand(r"(?:there (?:is|are) .+ there|at the start ,? ?(?!there ).+ (?:is|are) there)(?: now| right now)?$")
 _PLACES = _PATCHES | {"half", "corner", "middle", "edge"}
 
 
@@ -300,7 +298,7 @@ def _all_different(sentence: Sequence[Token], task: TaskSchema) -> None:
         raise refuse("contradiction", "some of these look alike", sentence[at].span, "say how each of them looks")
 
 
-_IN_DIFFERENT = re.compile(
+_IN_DIFFERENT = on_demand(
     r", (?:(?:all )?(?:in|of) (?:all )?different colors|each (?:in|of) an? (?:different|other) color)(?= [.;!?]|$)"
 )
 

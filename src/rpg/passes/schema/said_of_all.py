@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Sequence
 
 from rpg.core.diagnostics import Refusal
@@ -13,25 +12,26 @@ from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import STOPS, sentences
 from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, PATCH, PATCHES
+from rpg.language.patterns import on_demand
 from rpg.language.tokens import Token
 from rpg.passes.schema.resolve.things.world import refuse
 
-_OF_ALL = re.compile(
+_OF_ALL = on_demand(
     r"(?:^|, |[.;] )(?:both|all|each|everything|every one|all blocks|all the blocks)(?: of (?:them|these|it))?"
     rf"(?: (?:in|are|is|should be|must be))? {COLOR}(?= ?[.;!?]|$)"
 )
-_WITH_PATCH = re.compile(
+_WITH_PATCH = on_demand(
     f"\\b(?:{CUBE}s? and \\w+ (?:{PATCH}|{PATCHES})|(?:{PATCH}|{PATCHES}) and \\w+ {CUBE}s?) , (?:both|all|each) "
     f"(?:of them )?(?:in )?{COLOR}\\b"
 )
 """Blocks and patches that are listed together: "three blocks and a mat, all blue"."""
 _ALL = r", (?:all|both)(?: of (?:them|these))?(?: (?:in|are|should be|must be))?"
-_COLORED = re.compile(rf"^(.*){_ALL} ({COLOR})$")
-_SIZED = re.compile(rf"{_ALL} (?:\d[\d.]* cm\b.*|{'|'.join(lexicon.SIZE)})$")
-_TURNED = re.compile(rf"{_ALL} (?:upside down|upright|turned|rotated|facing)\b[^,]*$")
-_ONLY = re.compile(rf"\buse only ({COLOR}) (?:{'|'.join(lexicon.BLOCK)}|ones)\b")
-_SO_MANY = re.compile(rf"\buse (?:exactly |only |just )?({'|'.join(lexicon.NUMBER)}) (?:different )?colors\b")
-_NONE = re.compile(rf", none of (?:them|these)(?: is| are)? ({COLOR})$")
+_COLORED = on_demand(rf"^(.*){_ALL} ({COLOR})$")
+_SIZED = on_demand(rf"{_ALL} (?:\d[\d.]* cm\b.*|{'|'.join(lexicon.SIZE)})$")
+_TURNED = on_demand(rf"{_ALL} (?:upside down|upright|turned|rotated|facing)\b[^,]*$")
+_ONLY = on_demand(rf"\buse only ({COLOR}) (?:{'|'.join(lexicon.BLOCK)}|ones)\b")
+_SO_MANY = on_demand(rf"\buse (?:exactly |only |just )?({'|'.join(lexicon.NUMBER)}) (?:different )?colors\b")
+_NONE = on_demand(rf", none of (?:them|these)(?: is| are)? ({COLOR})$")
 
 
 def check_said_of_all(tokens: Sequence[Token], task: TaskSchema) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from itertools import pairwise
 
@@ -16,29 +15,30 @@ from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import sentences
 from rpg.language.grammar.rows.vocabulary import COLOR
+from rpg.language.patterns import on_demand
 from rpg.language.tokens import Token
 from rpg.passes.schema.resolve.things.world import refuse
 
 _KINDS = (("odd", "even"), ("even", "odd"), ("vowels", "consonants"), ("consonants", "vowels"), ("letters", "digits"),
           ("digits", "letters"), ("letters", "numbers"), ("numbers", "letters"))  # fmt: skip
-_TWO_KINDS = re.compile("|".join(rf"\b{one}\b.* and (?:the )?{other}\b" for one, other in _KINDS))
-_NAMED = re.compile(r"\bname is (\S+) .*\b(?:write|spell|lay|build) (?:the word )?(\S+)$")
-_EACH_MIDDLE = re.compile(r", (?:each|both|all)(?: of them)? in the (?:very )?(?:middle|center)$")
-_TOUCHING = re.compile(r"\b(?:touch|touching|contact)\b")
+_TWO_KINDS = on_demand("|".join(rf"\b{one}\b.* and (?:the )?{other}\b" for one, other in _KINDS))
+_NAMED = on_demand(r"\bname is (\S+) .*\b(?:write|spell|lay|build) (?:the word )?(\S+)$")
+_EACH_MIDDLE = on_demand(r", (?:each|both|all)(?: of them)? in the (?:very )?(?:middle|center)$")
+_TOUCHING = on_demand(r"\b(?:touch|touching|contact)\b")
 _SIZES = "|".join(lexicon.SIZE)
 _SEVERAL = "|".join(noun for noun, many in lexicon.BLOCK.items() if many)
-_TWO_SIZES = re.compile(rf"\b(?:{_SIZES}) and (?:{_SIZES}) (?:\w+ )?(?:{_SEVERAL})\b")
+_TWO_SIZES = on_demand(rf"\b(?:{_SIZES}) and (?:{_SIZES}) (?:\w+ )?(?:{_SEVERAL})\b")
 """Plurals may be of one block of each size, or of several."""
 _A_BLOCK = rf"(?:a|an|one) ({COLOR}) (?:{'|'.join(lexicon.BLOCK)}|one)"
-_AND_THERE = re.compile(
+_AND_THERE = on_demand(
     rf"\b{_A_BLOCK} , {_A_BLOCK} (?:on|in|at|to|left|right|behind|next|beside|near) (.*?){_A_BLOCK} "
 )
-_ANOTHER = re.compile(
+_ANOTHER = on_demand(
     r"\b(?:make|build|form|construct|create) another(?: one)?"
     r"(?= (?!\w+ (?:block|cube)|(?:tower|stack|row|line|column|wall|group|pile)\b)|$)"
 )
 _SHAPES = (Stack, Row, Towers, Cells)
-_IT_IS = re.compile(rf"(?:it|this|that)(?: is|'s| 's) an? .*\b(?:{'|'.join(lexicon.BLOCK)}|one)\b")
+_IT_IS = on_demand(rf"(?:it|this|that)(?: is|'s| 's) an? .*\b(?:{'|'.join(lexicon.BLOCK)}|one)\b")
 
 
 def check_told_apart(tokens: list[Token], task: TaskSchema) -> None:
@@ -80,14 +80,14 @@ def check_told_apart(tokens: list[Token], task: TaskSchema) -> None:
             raise _asked(sentence, "it is not clear of which block this is said", "name the block")
 
 
-_SAME_CORNER = re.compile(r"\bin (?:exactly )?(?:the|that) (?:very )?same (?:corner|edge)\b")
-_NOT = re.compile(r"\b(?:not|never|neither|no|none)\b")
-_PUT_THERE = re.compile(
+_SAME_CORNER = on_demand(r"\bin (?:exactly )?(?:the|that) (?:very )?same (?:corner|edge)\b")
+_NOT = on_demand(r"\b(?:not|never|neither|no|none)\b")
+_PUT_THERE = on_demand(
     r"\b(?:put|place|set|lay|move|bring|go|goes|come|comes|belongs?|be)(?: \w+)* (?:where it (?:is|was)|(?:in|at|on|to|"
     r"into) (?:its|(?:exactly )?(?:the|that) (?:very )?same) (?:place|spot|position|location))"
     r"(?: instead| too| as well)?$"
 )
-_OWN = re.compile(
+_OWN = on_demand(
     r"\b(?:back|left|kept|keep|keeping|leave|leaving|stays?|staying|remains?|remaining|own|still|again|held)\b"
 )
 

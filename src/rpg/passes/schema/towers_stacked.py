@@ -3,7 +3,6 @@ two rows, one on top of the other"."""
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 
 from rpg.ir.relations import Above, On
@@ -11,6 +10,7 @@ from rpg.ir.schema import TaskSchema
 from rpg.ir.structures import Cells, Row, Stack, Towers
 from rpg.ir.walk import atoms
 from rpg.language import lexicon
+from rpg.language.patterns import on_demand
 from rpg.language.tokens import Token
 from rpg.passes.schema.resolve.structures.towers_apart import which_on_which
 from rpg.passes.schema.resolve.things.world import refuse
@@ -21,9 +21,9 @@ _STACK = "|".join(
     for word, forms in lexicon.VERB.items()
     if any((sense, tense) == ("stack", "base") for sense, _, tense in forms)
 )
-_NOUN = re.compile(rf"\b(?:{'|'.join(sorted({*lexicon.BLOCK, *lexicon.STRUCTURE, *lexicon.PATCH} - {'stack'}))})\b")
+_NOUN = on_demand(rf"\b(?:{'|'.join(sorted({*lexicon.BLOCK, *lexicon.STRUCTURE, *lexicon.PATCH} - {'stack'}))})\b")
 _THE = r"(?:the|both|these|those|all)(?: of)?(?: the)?(?: (?:two|three|both))?"
-_STACKED = re.compile(
+_STACKED = on_demand(
     rf"\b(?:{_STACK})(?: up)? (?:{_THE} (?P<towers>{_TOWERS})|"
     r"(?:them|both|both of them)(?= (?:up )?[.;!?,]| on (?:top of )?each other| and\b))"
 )
@@ -32,7 +32,7 @@ _STACKED = re.compile(
 _LINES = "|".join(word for word, (_, many) in lexicon.STRUCTURE.items() if many)
 _OVER = r"(?:on(?: top of)?|above|over|atop|upon)"
 _EACH = r"(?:each other|one another)"
-_ONE_ON_OTHER = re.compile(
+_ONE_ON_OTHER = on_demand(
     rf"\b(?P<lines>{_LINES})\b(?: of \w+)?(?: ,)?(?: with)? (?:one(?: \w+)? {_OVER} the other|on top of {_EACH})\b"
 )
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 
+from rpg.language.patterns import on_demand
 from rpg.language.tokens import Token
 
 _AT = "(?:(?:on|to|at|in) (?:the |its )?)?"
@@ -19,7 +20,7 @@ _BOTH = "(?:on|at) (?:each|either) side(?: of it)?"
 _ONE = "(?:one(?: (?:of them|block|cube|each))? )?"
 _SIDE = f"{_ONE}(?:{'|'.join((*_SIDES.values(), _BOTH))})"
 _EACH = "(?:on|at) (?:each|every|all)(?: (?:one )?of (?:its|the))?(?: four)? sides?(?: of it)?"
-_LISTED = re.compile(
+_LISTED = on_demand(
     f"(?P<ahead>.*?)(?P<each> {_EACH})?(?: [,:(-]| with| namely| that is)+ (?P<sides>{_SIDE}(?:(?: ,| and| ;)+ "
     f"{_SIDE}){{2,3}})"
     "(?: \\))?(?= [.,;!]|$)"

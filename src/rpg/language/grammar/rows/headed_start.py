@@ -3,24 +3,23 @@ at the start."""
 
 from __future__ import annotations
 
-import re
-
 from rpg.language.grammar.rows.parting import STOPS, sentences, text_of
 from rpg.language.grammar.rows.said_short import PLACE
 from rpg.language.grammar.rows.vocabulary import MUST
 from rpg.language.lexicon import COMMANDS, POSTURE
+from rpg.language.patterns import on_demand
 from rpg.language.tokens import Token
 
 _STATE = "(?:state|scene|configuration|situation|arrangement|position|setup|layout|condition|conditions)"
-_START = re.compile(
+_START = on_demand(
     f"(?:the )?(?:start|beginning|initial|init|before|initially|given|(?:initial|start|starting) {_STATE}|"
     "(?:at|in) the (?:start|beginning)) :"
 )
-_END = re.compile(
+_END = on_demand(
     f"(?:and )?(?:the )?(?:(?:goal|end|target|final|after|result|task|finally|finish|(?:goal|final|end|target|desired) "
     f"{_STATE}|(?:at|in) the end) :|(?:at|in) the end\\b|finally\\b)"
 )
-_NOTE = re.compile(f"(?!.*\\b(?:{MUST}|not|then|if|when)\\b)(?:.+ )?{PLACE} .+")
+_NOTE = on_demand(f"(?!.*\\b(?:{MUST}|not|then|if|when)\\b)(?:.+ )?{PLACE} .+")
 _STARTS = frozenset({"start", "beginning", "initial", "init", "before", "initially", "given", "starting"})
 
 

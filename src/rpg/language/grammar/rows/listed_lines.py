@@ -12,6 +12,7 @@ import re
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import STOPS, sentences
 from rpg.language.grammar.rows.row_places import word_of
+from rpg.language.patterns import on_demand
 from rpg.language.tokens import Token
 
 _LINES = {"row": "row", "line": "row", "tower": "tower", "stack": "tower", "pile": "tower"}
@@ -27,7 +28,7 @@ _LIST = rf"(?P<list>{_ITEM}(?: , {_ITEM})*(?: , and| and| ,) {_ITEM})"
 _END = rf"(?P<end>{_ITEM}) (?P<at>{_AT})(?: and {_ITEM} {_AT})?"
 _TAIL = rf"(?: ,)?(?: in (?:this|that) order)?(?: ,)?(?: (?P<way>{_WAY})| (?:with )?{_END})?"
 _TOLD = tuple(
-    re.compile(rf"(?:{row}){_TAIL}")
+    on_demand(rf"(?:{row}){_TAIL}")
     for row in (
         rf"(?:the|an?|my|our) (?P<line>row|line|tower|stack|pile) (?P<copula>is) {_LIST}",
         rf"(?:at the start (?:, )?)?(?:there is|we have|i have|start with|begin with|we start with|we begin with|"
@@ -53,8 +54,8 @@ _OUTER = (
     "(?:two|blocks|cubes|ones|letters)|(?:two )?ends|"
     f"first and (?:the )?last{_NOUN}|first and (?:the )?last (?:one|block|cube|letter))"
 )
-_OFF = re.compile(r"(?:take|lift) (?:(?P<ahead>off) )?(?P<them>.+? and .+?)(?(ahead)| (?:off|down))(?: again)?")
-_SO_THAT = re.compile(r"(?:change|alter|reorder|sort) (?:it|the row|the tower|them) so(?: that)? ")
+_OFF = on_demand(r"(?:take|lift) (?:(?P<ahead>off) )?(?P<them>.+? and .+?)(?(ahead)| (?:off|down))(?: again)?")
+_SO_THAT = on_demand(r"(?:change|alter|reorder|sort) (?:it|the row|the tower|them) so(?: that)? ")
 _ARTICLES, _NOUNS = ("the", "a", "an"), ("block", "cube", "one", "letter", "digit", "number")
 
 

@@ -8,11 +8,12 @@ from functools import lru_cache
 
 from rpg.language.grammar.rows.turned import Turns, all_of_it, turned
 from rpg.language.grammar.rows.vocabulary import AND, COLOR
+from rpg.language.patterns import on_demand
 from rpg.language.tokens import Token
 
 _BLOCKS = "(?:cubes|blocks|bricks)"
-_LISTED = re.compile(f"(?:^|\\. )the (?:(?:other|remaining) )?{_BLOCKS} are ({COLOR}(?:{AND} {COLOR})+)(?= [.,]|$)")
-_NAMED = re.compile(f"\\b({COLOR}) (?:block|cube|brick)\\b")
+_LISTED = on_demand(f"(?:^|\\. )the (?:(?:other|remaining) )?{_BLOCKS} are ({COLOR}(?:{AND} {COLOR})+)(?= [.,]|$)")
+_NAMED = on_demand(f"\\b({COLOR}) (?:block|cube|brick)\\b")
 
 
 def listed_of_all(tokens: list[Token]) -> list[Token]:

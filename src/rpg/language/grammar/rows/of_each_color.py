@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import re
-
 from rpg.language.grammar.rows.parting import text_of
 from rpg.language.grammar.rows.turned import Turn, Turns, turned
 from rpg.language.grammar.rows.vocabulary import COLOR, MANY, MUST, PATCH
+from rpg.language.patterns import on_demand
 from rpg.language.tokens import Token
 
-_LOTS = re.compile(f"\\b(?:{MANY}|an?|some|several) ({COLOR})\\b(?! {PATCH}\\b)")
-_HUES = re.compile(f"\\b({COLOR})\\b(?! (?:{PATCH}|one on)\\b)")
+_LOTS = on_demand(f"\\b(?:{MANY}|an?|some|several) ({COLOR})\\b(?! {PATCH}\\b)")
+_HUES = on_demand(f"\\b({COLOR})\\b(?! (?:{PATCH}|one on)\\b)")
 _SO_MANY = f"((?:exactly |just |only |at least |at most |(?:no|not) (?:more|fewer|less) than )?{MANY})"
 _OF_EACH = (
     "(?: (?:block|cube|brick|box|boxes|one)s?)? (?:of|in|from) (?:each|every|both)(?: of the)?(?: two| three)? colors?"

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import re
-
 from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, MUST
+from rpg.language.patterns import on_demand
 from rpg.language.tokens import Token
 
 _PLACE = " (?:in|at|on|to|above|over|inside|between|next|behind)\\b"
-_FURTHER = re.compile(
+_FURTHER = on_demand(
     f"\\b(?:one|an?) (?:more|further|additional|extra|single)(?: (?:{CUBE}|one))?(?: ,)? (?:(?:that|which) "
     f"(?:is|{MUST} "
     f"be)|an?|and it(?: is| {MUST} be)) ({COLOR})(?: one| {CUBE})?(?: ,(?={_PLACE}))?(?= [.,;!]|$|{_PLACE})"

@@ -8,28 +8,29 @@ import re
 from rpg.language.grammar.rows.parting import STOPS, sentences, text_of
 from rpg.language.grammar.rows.vocabulary import BUILD, COLOR, CUBE, MANY, MUST
 from rpg.language.lexicon import NUMBER
+from rpg.language.patterns import on_demand
 from rpg.language.tokens import Token
 
 _IT = "(?:it|that|this|them|those|these|(?:that|the first) (?:one|row))"
 _WHERE = "(?P<where>in front of|behind)"
-_TWO = re.compile(
+_TWO = on_demand(
     f"(?:{BUILD} )?(?:two|2) rows(?: of (?P<many>{MANY})(?: {CUBE}s)?)?(?: each)?(?: ,)? [:,] (?P<rest>.+)"
 )
 _JOINT = "(?: ,| ;| and)+"
 _OTHER = "(?:an?|one|another|the (?:other|second))"
 _BE = f"(?: (?:there )?(?:is|are|lies?|comes?|{MUST} be))?"
 _TOLD = (
-    re.compile(f"(?P<first>.+?)(?: ,| ;)?(?: and)?(?: ,)? {_WHERE} {_IT}(?: ,)?{_BE} (?P<second>.+)"),
-    re.compile(f"(?P<first>.+?){_JOINT} (?P<second>{_OTHER} (?:row )?.+?){_BE} {_WHERE} {_IT}"),
-    re.compile(f"(?P<first>(?:an?|one) row of .+?){_JOINT} (?P<second>{_OTHER} row of .+?)(?P<where>)"),
+    on_demand(f"(?P<first>.+?)(?: ,| ;)?(?: and)?(?: ,)? {_WHERE} {_IT}(?: ,)?{_BE} (?P<second>.+)"),
+    on_demand(f"(?P<first>.+?){_JOINT} (?P<second>{_OTHER} (?:row )?.+?){_BE} {_WHERE} {_IT}"),
+    on_demand(f"(?P<first>(?:an?|one) row of .+?){_JOINT} (?P<second>{_OTHER} row of .+?)(?P<where>)"),
 )
-_ROW = re.compile(f"(?:{_OTHER}|the first) (?:row|one)(?: (?:of|with)| :)? ")
-_BARE = re.compile(f"(?:(?:all|only|plain|{COLOR}) )*(?:blocks|cubes|ones)")
-_EACH = re.compile(
+_ROW = on_demand(f"(?:{_OTHER}|the first) (?:row|one)(?: (?:of|with)| :)? ")
+_BARE = on_demand(f"(?:(?:all|only|plain|{COLOR}) )*(?:blocks|cubes|ones)")
+_EACH = on_demand(
     f"((?:an? )?{COLOR}(?:(?: ,| and)+ (?:an? )?{COLOR})+)(?: (?:blocks|cubes|ones|one|block|cube))?(?P<way>.*)"
 )
-_COUNTED = re.compile(f"(?P<many>{MANY}) (?:[a-z]+ )*(?:blocks|cubes|ones)")
-_SYMBOLS = re.compile(
+_COUNTED = on_demand(f"(?P<many>{MANY}) (?:[a-z]+ )*(?:blocks|cubes|ones)")
+_SYMBOLS = on_demand(
     "(?:the )?(?:(?:letters?|digits?|numbers?|blocks|cubes) )*((?:(?:\\w|,|and|to) )*\\w)\\b(?P<way>.*)"
 )
 

@@ -3,18 +3,17 @@ blue one" is told of five."""
 
 from __future__ import annotations
 
-import re
-
 from rpg.language.grammar.rows.parting import text_of
 from rpg.language.grammar.rows.vocabulary import COLOR, MANY, NO_NUMBER, number
+from rpg.language.patterns import on_demand
 from rpg.language.tokens import Token
 
 _BLOCKS = f"(?:{COLOR} )?(?:blocks|cubes|bricks|boxes)"
-_PARTED = re.compile(
+_PARTED = on_demand(
     f"\\b({MANY}) of the (?={_BLOCKS}\\b){NO_NUMBER}\\b(?:the|those) (?:other|remaining) ({MANY})\\b(?! (?:{COLOR} )?"
     "(?:patches|mats|zones|targets|areas|spots|halves|corners))"
 )
-_COUNTED = re.compile(f"\\b{MANY} {_BLOCKS}\\b")
+_COUNTED = on_demand(f"\\b{MANY} {_BLOCKS}\\b")
 _OTHER = frozenset({"other", "remaining"})
 
 

@@ -9,13 +9,14 @@ from rpg.language.grammar.rows.parting import text_of
 from rpg.language.grammar.rows.said_short import PUT
 from rpg.language.grammar.rows.turned import Turns, all_of_it, turned
 from rpg.language.grammar.rows.vocabulary import COLOR, MANY, MUST, number
+from rpg.language.patterns import on_demand
 from rpg.language.tokens import Token
 
 _BLOCKS = "(?:blocks?|cubes?|bricks?|boxes|box)"
 _BE = f"(?:{MUST} (?:be|lie|go|stand)|is|are|lie|lies|go|goes)"
 _MAY = f"(?:{_BE}|(?:may|can|could) (?:be|lie|go|stay|stand))"
 _ELSE = "(?:(?:anywhere|somewhere|wherever)(?: else| but (?:there|on it|in it))?|elsewhere)"
-_TOLD = re.compile(
+_TOLD = on_demand(
     f"(?:^|(?<=[.:;!] ))(?:{PUT} )?(?:exactly |just |only )?(?P<many>{MANY})(?: of (?:the )?(?P<all>{MANY}))?(?: "
     f"(?P<color>{COLOR}))?(?P<noun> {_BLOCKS})?(?: {_BE})? (?P<place>(?:on|onto|in|into|inside) the [^,.;:]+?) "
     f"(?:,|;|\\.|"
@@ -23,7 +24,7 @@ _TOLD = re.compile(
     f"{_BLOCKS}| ones?)?"
     f"(?: {_MAY})? {_ELSE}(?: (?:on|around|about)(?: the table)?| you like| they like)?(?= [.;!]|$)"
 )
-_COUNTED = re.compile(f"\\b({MANY}) (?:{COLOR} )?{_BLOCKS}\\b")
+_COUNTED = on_demand(f"\\b({MANY}) (?:{COLOR} )?{_BLOCKS}\\b")
 _WHERE = frozenset({"anywhere", "somewhere", "wherever", "elsewhere"})
 
 

@@ -7,6 +7,7 @@ import re
 from collections.abc import Callable, Sequence
 
 from rpg.language.grammar.rows.vocabulary import COLOR, MANY, number
+from rpg.language.patterns import on_demand
 from rpg.language.tokens import Token
 
 _NAME = f"(?:{COLOR}|[a-z]|\\d)"
@@ -74,12 +75,12 @@ _STOP = "(?: \\.| ;| ,| and| then)+ (?:now )?(?:please )?"
 _END = "(?: please)?(?: [.!])?"
 _EDITS = [
     *(
-        (re.compile(pattern), edit)
+        (on_demand(pattern), edit)
         for told, edit in (*_INTO, (f"append {_ONE}", _INTO[-1][1]), _SWAPPED[1])
         for pattern in (f"{_THERE}{_ROWS}(?: on the table)?{_STOP}{told}{_OF_IT}{_END}",)
     ),
     *(
-        (re.compile(pattern), edit)
+        (on_demand(pattern), edit)
         for told, edit in (*_INTO, *_SWAPPED)
         for pattern in (f"{told} (?:of|in|into|within|to) {_ROWS}{_END}", f"in {_ROWS}(?: ,)? {told}{_END}")
     ),

@@ -8,14 +8,15 @@ import re
 from rpg.language.grammar.rows.parting import text_of
 from rpg.language.grammar.rows.turned import Turns, turned
 from rpg.language.grammar.rows.vocabulary import BUILD, COLOR, LINE, MANY, PATCH, number
+from rpg.language.patterns import on_demand
 from rpg.language.tokens import Token
 
 _LOT = f"(?:{MANY}) {COLOR}(?: (?:blocks|cubes|bricks|boxes|ones))?"
-_LOTS = re.compile(f"\\b({MANY}) ({COLOR})\\b(?! {PATCH}\\b)")
+_LOTS = on_demand(f"\\b({MANY}) ({COLOR})\\b(?! {PATCH}\\b)")
 _LIMIT = ("(exactly|just|only|at most|at least|no more than|not more than|no fewer than|not fewer than)? ?"
           f"({MANY}) ({COLOR})(?: (?:blocks?|cubes?|bricks?|ones?))?")  # fmt: skip
 _WITH = "(?:with|containing|that has|that have|that contains|which has|which contains|having|in which there (?:is|are))"
-_ASKED = re.compile(
+_ASKED = on_demand(
     f"(?:^|(?<=\\. ))(?:(?:from|out of|of|with|using) (?P<lots>{_LOT} and {_LOT})(?: ,)? )?{BUILD} (an? {LINE}) of "
     f"({MANY})(?: of them| blocks| cubes| bricks)?(?: ,)? {_WITH} {_LIMIT}(?: in it| inside)?(?= \\.|$)"
 )

@@ -9,6 +9,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import text_of
 from rpg.language.grammar.rows.turned import Turns, all_of_it, turned
 from rpg.language.grammar.rows.vocabulary import COLOR, MANY, MUST, PATCH, PATCHES, number
+from rpg.language.patterns import on_demand
 from rpg.language.tokens import Token
 
 _DEAL = "(?:please )?(?:put|place|set|move|bring|lay|distribute|spread|share|divide|deal|split)(?: out)?"
@@ -21,23 +22,23 @@ _LOT = f"{_SOME}(?: {_GO})? {_ON}(?: one| {PATCH})?"
 _NEXT = "(?: ,| ;| and| , and)"
 _BEGIN, _END = "(?:^|(?<=[.!?;:] ))", "(?= [.!;]|$)"
 _DEALT = (
-    re.compile(
+    on_demand(
         f"{_BEGIN}(?:{_DEAL} )?(?:all )?(?:of )?(?:the |my )?(?P<many>{MANY}) {_BLOCKS}(?P<over>(?: {_GO})? "
         f"{_OVER} (?:the "
         f"|these |my |both )?(?:(?P<marks>{MANY}) )?{PATCHES})?(?: [,:(]| so that) (?P<lots>{_LOT}(?:{_NEXT} {_LOT})+)"
         f"(?: \\))?{_END}"
     ),
-    re.compile(
+    on_demand(
         f"{_BEGIN}(?:{_DEAL} )?(?:exactly |just )?(?P<some>{MANY}) of (?:the |my )?(?P<many>{MANY}) "
         f"{_BLOCKS}(?: {_GO})? "
         f"(?:on|onto|in|into) (?:the )?(?P<there>{COLOR}|left|right) {PATCH}(?P<lots>(?:{_NEXT} {_LOT})+){_END}"
     ),
-    re.compile(
+    on_demand(
         f"{_BEGIN}(?P<out>out of|of|from) (?:the |my )?(?P<many>{MANY}) {_BLOCKS}(?: ,)? (?:{_DEAL} )?"
         f"(?P<lots>{_LOT}(?:{_NEXT} {_LOT})+){_END}"
     ),
 )
-_LOTS = re.compile(_LOT)
+_LOTS = on_demand(_LOT)
 _ITEM = f"(?:the )?(?:(?:{COLOR})(?: (?:block|cube|one))?|[a-z0-9])"
 _LIST = (
     f"(?P<listed>(?:the )?(?:(?:blocks|cubes|letters) )?{_ITEM}(?: , {_ITEM})*(?: ,)? and {_ITEM}"
@@ -46,7 +47,7 @@ _LIST = (
 _SO_MANY = f"(?:exactly |just |only )?(?P<some>{MANY})"
 _REST = f"the (?:others?|other ones?|rest)(?: {MANY})?(?: of them)?"
 _OF_THE_LISTED = tuple(
-    re.compile(
+    on_demand(
         f"{_BEGIN}(?:{_DEAL} )?{begun}(?: {_GO})? (?:on|onto|in) the (?P<there>{COLOR}) {PATCH}"
         f"(?:{_NEXT}| , while| while| but| , but| \\.)(?: and| but)? {_REST}(?: {_GO})?(?: (?:put|placed))? "
         f"(?:on|onto|in) the (?P<else>{COLOR}) (?:one|{PATCH}){_END}"

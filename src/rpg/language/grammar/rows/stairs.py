@@ -3,12 +3,12 @@ two white ones, then three blue ones"; and what a figure is like, said in a sent
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 
 from rpg.language.grammar.rows.parting import STOPS
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import COLOR, ME, MUST, N
+from rpg.language.patterns import on_demand
 from rpg.language.tokens import Token
 
 _STAIRS = "(?:staircase|stairs|stairway)"
@@ -55,14 +55,14 @@ STAIRS: tuple[Turn, ...] = (
 )  # fmt: skip
 """What is looked for, and what is said instead."""
 
-_OF_STAIRS = re.compile(
+_OF_STAIRS = on_demand(
     f"(?:(it|they|the {_STAIRS}|these|this) (?:{MUST} )?(?:{_UP}|{_DOWN}) (?:{_TO}|from)|(?:its|the) (?:{_HIGH}|{_LOW})"
     f"{_STEP}(?:{_ON}| is)|one{N} ?,? (?:and )?then two|one {COLOR}{N} ,)"
 )
-_OF_LETTERS = re.compile(
+_OF_LETTERS = on_demand(
     "(?:the|its) (?:bar|crossbar|stem|foot)(?: of (?:it|the [tT]))? (?:is|lies|points|stands) (?:at|on|to)"
 )
-_OF_GRIDS = re.compile("(?:the |its )?(?:columns|rows) ,? ?from (?:left|right|front|back)")
+_OF_GRIDS = on_demand("(?:the |its )?(?:columns|rows) ,? ?from (?:left|right|front|back)")
 """How a sentence begins that tells of what the one before it builds."""
 _TOLD = (({"staircase", "stairs", "stairway"}, _OF_STAIRS), ({"t", "T"}, _OF_LETTERS), ({"grid"}, _OF_GRIDS))
 

@@ -6,9 +6,10 @@ import re
 
 from rpg.language.grammar.rows.parting import sentences, text_of
 from rpg.language.grammar.structures.equations import value_of
+from rpg.language.patterns import on_demand
 from rpg.language.tokens import Token
 
-_ASKED = re.compile("(?:how much|what)(?: is| are| does| do| makes?| 's)? (?P<sum>.+?)(?: (?:make|give|equal))? \\?")
+_ASKED = on_demand("(?:how much|what)(?: is| are| does| do| makes?| 's)? (?P<sum>.+?)(?: (?:make|give|equal))? \\?")
 _SIGNS = {"plus": "+", "+": "+", "minus": "-", "-": "-", "times": "*", "x": "*", "*": "*", "/": "/", "divided": "/",
           "multiplied": "*"}  # fmt: skip
 _LEAD = (
@@ -29,12 +30,12 @@ _PARTS = (
     "(?:(?: ,| with| and| including| together with| plus)+(?: (?:the|its|an?))?(?: (?:right|correct))? (?:result|"
     "answer|solution|(?:\\w+ )?sign|=|\\+|-|\\*|/))"
 )
-_SHOW_IT = re.compile(
+_SHOW_IT = on_demand(
     f"{_LEAD}{_DO} (?:{_WHOLE}{_SUM}|(?:the |its )?(?:answer|result|solution) as {_WHOLE}{_SUM})"
     f"(?:(?:{_CUBES}|{_PARTS})*|{_CUBES}?(?P<where> (?:on|in|at) the .+?))(?: [.!?])?"
 )
 _IT = f"(?: (?:it|this|that|the (?:answer|result)|{_WHOLE}{_SUM}))?"
-_AS_TOLD = re.compile(f"{_LEAD}{_DO}{_IT}(?: out)?{_CUBES}? (?:: |, )?_EQUATION(?: [.!?])?")
+_AS_TOLD = on_demand(f"{_LEAD}{_DO}{_IT}(?: out)?{_CUBES}? (?:: |, )?_EQUATION(?: [.!?])?")
 
 
 def sums_asked(tokens: list[Token]) -> list[Token]:

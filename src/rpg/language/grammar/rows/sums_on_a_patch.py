@@ -3,7 +3,6 @@ must be 10", told as those that have it."""
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from itertools import combinations
@@ -12,10 +11,11 @@ from math import prod
 from rpg.language.grammar.rows.parting import STOPS, sentences, text_of
 from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, MUST, PATCH
 from rpg.language.lexicon import NUMBER
+from rpg.language.patterns import on_demand
 from rpg.language.tokens import Token
 
 _DIGITS = f"(?:(?:digit|number)s?(?: {CUBE}s)?|{CUBE}s|ones)"
-_STOCK = re.compile(
+_STOCK = on_demand(
     f"(?:(?:there are|here are|we have|i have|you have|given|with|available) )?(?::|the|only|these| )*(?:{_DIGITS} ?)?"
     "(?:available|to choose from)?(?: ?(?:are|:))? ?(?P<list>\\d(?: , \\d)+(?: ,)?(?: and)? \\d|\\d to \\d)"
     "(?: are (?:there|available))?(?: [.;])?"
@@ -26,11 +26,11 @@ _KIND = "(?P<kind>sum|total|product|difference)"
 _IS = f"(?:{MUST} be|{MUST} equal|is|equals)"
 _RESULT = "(?P<result>\\d+|[a-z]+)(?: [.!])?"
 _ASKED = (
-    re.compile(f"the {_KIND} of the {_MANY} {_DIGITS} (?:that are )?{_ON} {_IS} {_RESULT}"),
-    re.compile(f"the {_MANY} {_DIGITS} {_ON} {MUST} (?:add up|sum up|sum|come) to {_RESULT}"),
-    re.compile(f"(?:put|place|lay|move) {_MANY} (?:{_DIGITS}|of (?:them|these)) {_ON}(?: ,)? (?:whose|so that "
+    on_demand(f"the {_KIND} of the {_MANY} {_DIGITS} (?:that are )?{_ON} {_IS} {_RESULT}"),
+    on_demand(f"the {_MANY} {_DIGITS} {_ON} {MUST} (?:add up|sum up|sum|come) to {_RESULT}"),
+    on_demand(f"(?:put|place|lay|move) {_MANY} (?:{_DIGITS}|of (?:them|these)) {_ON}(?: ,)? (?:whose|so that "
                f"(?:the|their)|such that their|with the|so their) {_KIND} (?:{_IS} |of )?{_RESULT}"),
-    re.compile(f"(?:put|place|lay|move) {_MANY} (?:{_DIGITS}|of (?:them|these)) {_ON}(?: ,)? (?:that|which|so that "
+    on_demand(f"(?:put|place|lay|move) {_MANY} (?:{_DIGITS}|of (?:them|these)) {_ON}(?: ,)? (?:that|which|so that "
                f"they|so they) (?:add up|sum up|sum) to {_RESULT}"),
 )  # fmt: skip
 _WORKED_OUT: dict[str, Callable[[Sequence[int]], int]] = {
@@ -41,7 +41,7 @@ _FEW = 3
 """So many ways may be told one by one."""
 
 
-_OF_THESE = re.compile(
+_OF_THESE = on_demand(
     f"(?:put|place|lay|move) (?:exactly )?{_MANY} of the {_DIGITS} "
     f"(?P<list>\\d(?: , \\d)*(?: ,)?(?: and)? \\d|\\d to \\d) (?={_ON})"
 )

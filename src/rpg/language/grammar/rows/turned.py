@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from functools import cached_property, lru_cache
 
+from rpg.language.grammar.rows.needs import needed
 from rpg.language.grammar.rows.parting import STOPS
 from rpg.language.lexicon import COMMANDS
 from rpg.language.tokens import Token
@@ -112,70 +113,6 @@ def turned(tokens: list[Token], turns: Turns, parted: Callable[[list[Token]], Sp
 @lru_cache(maxsize=4096)
 def _compiled(pattern: str) -> re.Pattern[str]:
     return re.compile(pattern)
-
-
-_PIECES = re.compile(
-    r"\((?:\?:)?[a-z ]+(?:\|[a-z ]+)+\)|[a-z]+(?![a-z?*+{])|\\.|\[\^?[^]]+\]|\((?:\?(?:P<\w+>|P=\w+|<?[=!]|:))?"
-    r"|[?*+]\??|\{[\d,]+\}\??|."
-)
-"""Words of which one is said, letters, brackets, and how often something is said."""
-
-
-def needed(pattern: str) -> list[frozenset[str]]:
-    """Where a pattern fits, a text has one of each of these sets inside of a word; those that are rarest come first."""
-    found = _needed(iter(_PIECES.findall(pattern)))
-    return sorted(found, key=_rare, reverse=True)
-
-
-def _rare(parts: frozenset[str]) -> int:
-    return min(map(len, parts))
-
-
-def _needed(pieces: Iterator[str]) -> list[frozenset[str]]:
-    """The same of the pieces of a pattern up to the end of a bracket."""
-    ways: list[list[frozenset[str]]] = []
-    run: list[str | list[frozenset[str]]] = []
-    for piece in pieces:
-        if piece == ")":
-            break
-        if piece == "|":
-            ways.append(_of_run(run))
-            run = []
-        elif piece[0] == "(" and piece[-1] == ")":
-            run.append(_of_words(piece))
-        elif piece[0] == "(":
-            inside = _needed(pieces)
-            run.append(inside if piece[-1] in "(:>" else [])
-        elif piece[0] in "?*{" and (piece[0] != "{" or piece[1] == "0"):
-            run[-1] = []
-        else:
-            escaped = piece[0] == "\\" and not piece[1].isalnum()
-            run.append(piece[-1] if escaped else piece if piece[0] not in "\\[^$.+{" else [])
-    ways.append(_of_run(run))
-    if len(ways) == 1:
-        return ways[0]
-    return [frozenset[str]().union(*(max(way, key=_rare) for way in ways))] if all(ways) else []
-
-
-@lru_cache(maxsize=1024)
-def _of_words(bracket: str) -> list[frozenset[str]]:
-    """What is needed of phrases in brackets: of each the longest word."""
-    phrases = [phrase.split() for phrase in bracket.strip("(?:)").split("|")]
-    return [frozenset(max(words, key=len) for words in phrases)] if all(phrases) else []
-
-
-def _of_run(run: Iterable[str | list[frozenset[str]]]) -> list[frozenset[str]]:
-    """What is needed of a row of letters, and of what brackets in it need."""
-    found: list[frozenset[str]] = []
-    part = ""
-    for piece in (*run, " "):
-        if isinstance(piece, str) and piece != " ":
-            part += piece
-            continue
-        found += [frozenset({part})] * bool(part)
-        found += piece if isinstance(piece, list) else ()
-        part = ""
-    return found
 
 
 Told = list[tuple[int, int, list[str], str]]

@@ -3,12 +3,12 @@ of them, and these to the left of those; of the order among the vowels nothing i
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import STOPS
 from rpg.language.grammar.rows.vocabulary import COLOR, MUST
+from rpg.language.patterns import on_demand
 from rpg.language.tokens import Token
 
 AHEAD = frozenset({"before", "ahead", "precede", "precedes"})
@@ -21,7 +21,7 @@ _SOME = f"{_ALL}{_KINDS}\\(? ?{_LIST}(?: \\))?"
 _AHEAD = f"(?P<one>{_SOME}) {_COME}(?:before|ahead of|precedes?) (?P<other>{_SOME})"
 _ROW = "(?:single |straight |left to right )*(?:row|line)(?: from left to right)?"
 _SUCCESS = "(?:success (?:iff|if and only if|only if|when|if|means(?: that)?) (?:, )?)?"
-_TOLD = tuple(map(re.compile, (
+_TOLD = tuple(map(on_demand, (
     f"{_SUCCESS}(?:in (?:an?|one) {_ROW}(?: ,)?|an? {_ROW}(?: ,)? (?:in which|where|so that|with)) {_AHEAD}$",
     f"{_SUCCESS}(?:put |place |line up |arrange )?{_AHEAD}(?: ,)? in (?:an?|one|the same) {_ROW}$",
 )))  # fmt: skip

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from dataclasses import replace
 
 from rpg.language.grammar.rows.said_short import PLACE, THING
 from rpg.language.grammar.talk.asked_first import about_numbers
 from rpg.language.grammar.talk.named_first import with_names
+from rpg.language.patterns import on_demand
 from rpg.language.phrases import behind
 from rpg.language.tokens import Token
 
@@ -65,7 +65,7 @@ def _answered(question: Sequence[Token], answer: Sequence[Token]) -> list[Token]
     return None
 
 
-_ASKED_OF = re.compile(f"is ({THING}) {PLACE} {THING}")
+_ASKED_OF = on_demand(f"is ({THING}) {PLACE} {THING}")
 _MAKE_SO = frozenset(
     f"{unless}{comma}{please}{do}"
     for unless in ("if not", "if it is not")

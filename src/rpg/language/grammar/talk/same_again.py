@@ -2,35 +2,35 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import STOPS, sentences, text_of
 from rpg.language.grammar.rows.said_short import THINGS
 from rpg.language.grammar.rows.vocabulary import FEW, MUST
+from rpg.language.patterns import on_demand
 from rpg.language.tokens import Token
 
 _SAME = (
     "(?:(?:please )?do (?:exactly |just )?the (?:very )?same(?: thing)?|(?:exactly )?the same(?: thing)?|same)"
     f"(?: (?:goes|holds|applies|{MUST} be done))?(?: again)?"
 )
-_AGAIN = re.compile(
+_AGAIN = on_demand(
     f"^(?:and |then |now |also )*(?:{_SAME} (?:with|for|to)|likewise(?: for| with)?|"
     f"so {MUST}|so (?:does|do|goes|is|are)) (?:, )?({THINGS})(?: as well| too)?$|"
     f"^(?:and )?({THINGS})(?: ,)? (?:likewise|too|as well|also|the same way)$"
 )
-_PARTED = re.compile(
+_PARTED = on_demand(
     f"(?: ,| ;)?(?: and| then| but)? (?=(?:(?:please )?do (?:exactly |just )?the (?:very )?same|(?:the )?same (?:goes|"
     f"holds|applies|for|with)) )|(?: ,)?(?: and|(?<=,)) (?=(?:{THINGS})(?: ,)? likewise\\b)"
 )
-_BID = re.compile(f"^((?:then |now |please |first )*(?:line up|lay out|\\w+) )({THINGS})( .+)?$")
-_TOLD = re.compile(
+_BID = on_demand(f"^((?:then |now |please |first )*(?:line up|lay out|\\w+) )({THINGS})( .+)?$")
+_TOLD = on_demand(
     f"^()({THINGS})( (?:{MUST}|may|can|is|are|goes|go|belongs|belong|stands|stand|lies|lie|comes|come) .+)$"
 )
 """What is said before: a verb, of what, and where; or of what, and what of it."""
-_COLORED = re.compile(f"^(?:the )?({'|'.join(lexicon.COLOR)})(?: (?:ones?|blocks?|cubes?))?$")
-_LED = re.compile("^(?:and |then |now |also )*")
+_COLORED = on_demand(f"^(?:the )?({'|'.join(lexicon.COLOR)})(?: (?:ones?|blocks?|cubes?))?$")
+_LED = on_demand("^(?:and |then |now |also )*")
 
 
 def same_again(tokens: list[Token]) -> list[Token]:
@@ -110,7 +110,7 @@ def _like(other: list[Token], theme: list[Token]) -> list[Token]:
     return other
 
 
-_MADE = re.compile(
+_MADE = on_demand(
     f"(?<!left )(?<!right )(?<!front )(?<!back )(?<!top )(?<!side )\\b(?:of|from|out of|with) (?:the |{FEW}|\\d+)"
 )
 

@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.language import lexicon
+from rpg.language.patterns import on_demand
 from rpg.language.tokens import Token
 
 _FEW = "|".join(sorted((w for w in lexicon.NUMBER if w.isalpha()), key=len, reverse=True))
@@ -37,27 +38,27 @@ _OTHER = (
     f"(?: by (?:exactly )?(?P<by2>{_N}|an?)(?: {_B})?)?)"
 )
 _LINK = "(?: ,)?(?: ;)?(?: \\.)?(?: and| so that| such that| where| with| of which| but)?"
-_CLAUSE = re.compile(f"(?:^|{_LINK} )(?P<one>{_ONE})(?: {_IS})? {_REL}{_OTHER}")
-_EACH_AS = re.compile(f"{_LINK} (?P<same>as many {_B}) in (?:the )?one as in the other(?: one)?")
-_BARE = re.compile(
+_CLAUSE = on_demand(f"(?:^|{_LINK} )(?P<one>{_ONE})(?: {_IS})? {_REL}{_OTHER}")
+_EACH_AS = on_demand(f"{_LINK} (?P<same>as many {_B}) in (?:the )?one as in the other(?: one)?")
+_BARE = on_demand(
     f"(?:(?<=tower)|(?<=stack)|(?<=row)|(?<=line)) (?:that is |which is |of |with )?{_REL}{_OTHER}?(?= |$)"
 )
-_PAIR = re.compile(f"(?:two|2|a pair of) (?:(?P<color>{_C}) )?(?P<kind>{_K})s(?: of (?:(?P<color2>{_C}) )?{_B})?")
-_TOTAL = re.compile(
+_PAIR = on_demand(f"(?:two|2|a pair of) (?:(?P<color>{_C}) )?(?P<kind>{_K})s(?: of (?:(?P<color2>{_C}) )?{_B})?")
+_TOTAL = on_demand(
     f"(?: ,)? ?(?:(?:of|from|out of|with|using|made of|made from|built from|use)(?: all)?(?: the)? )?(?P<total>{_N}) "
     f"(?:(?P<color>{_C}) )?{_B}\\b(?! (?:high|tall|long)\\b)(?: (?:in all|altogether|in total|all in all))?"
     "(?: for both)?"
 )
-_SIZED = re.compile(
+_SIZED = on_demand(
     f"(?P<det>an?|the) (?:(?P<color>{_C}) )?(?P<kind>{_K})(?: (?P<plain>of {_B})\\b| "
     f"(?:of|that has|which has|has|consists of|is) (?P<count>{_N})(?: (?:(?P<color2>{_C}) )?"
     f"(?:{_B}|high|tall|long)\\b(?: high\\b| tall\\b| long\\b)?|(?= (?:and|with|,)|$))(?! {_THAN}))?"
 )
-_STOCK = re.compile(
+_STOCK = on_demand(
     f"(?:^|(?<=\\. ))(?:out of|from|with|using|given) ({_N}) ({_C}) and ({_N}) ({_C}) {_B}(?= ,| build| make)"
 )
 """All there is of two colours, which the two take up."""
-_SIDE = re.compile(
+_SIDE = on_demand(
     f"{_LINK} the (?P<which>taller|higher|longer|shorter|lower|smaller)(?: one| {_K})?(?: of the two)? "
     f"(?:stands|is|goes|lies|comes|(?:should|must|has to|shall) (?:be|stand|go|lie))(?: placed)? "
     f"(?:(?:on|to|at) the (?P<side>left|right)(?: side)?(?: of the (?:other|taller|shorter|longer|lower|higher)"
@@ -68,10 +69,8 @@ _NEXT = (
     "right)"
 )
 """What tells a neighbour: each is compared with that, and not with so many blocks."""
-_BY_HOW_MUCH = re.compile(f"(?:^| )(?P<one>{_ONE}) {_IS} {_THAN} than (?:{_ONE}|it)\\b(?! by| {_NEXT}\\b)")
-_HAS_SO_MANY = re.compile(
-    f"\\bthe {_C} one (?:has|is|{_MUST} (?:have|be)) {_N}\\b(?! {_B} (?:{_THAN}|more|fewer|less))"
-)
+_BY_HOW_MUCH = on_demand(f"(?:^| )(?P<one>{_ONE}) {_IS} {_THAN} than (?:{_ONE}|it)\\b(?! by| {_NEXT}\\b)")
+_HAS_SO_MANY = on_demand(f"\\bthe {_C} one (?:has|is|{_MUST} (?:have|be)) {_N}\\b(?! {_B} (?:{_THAN}|more|fewer|less))")
 """How many blocks one of them has, told in a clause of its own: the second reader knows that."""
 TELLING = frozenset({*_MORE, "tall", "high", "long", "many", "more", "fewer", "less", "height", "length"})
 """Words without which nothing of this is said."""
@@ -219,8 +218,8 @@ def _there(text: _Text, total: re.Match[str]) -> bool:
     return bool(re.search("(?:there are|we have|i have|you have|given|here are)(?: only| just)?$", before))
 
 
-_TWO_COLORS = re.compile(f"\\b(an?) ({_C}) and (an?) ({_C}) ({_K})\\b")
-_TWO_SIZES = re.compile(
+_TWO_COLORS = on_demand(f"\\b(an?) ({_C}) and (an?) ({_C}) ({_K})\\b")
+_TWO_SIZES = on_demand(
     f"(?:two|2) (?:(?P<color>{_C}) )?(?P<kind>{_K})s (?:of|with)(?: heights?)? (?P<a>{_N}) and (?P<b>{_N})"
     f"(?: (?:(?P<color2>{_C}) )?{_B})?"
 )

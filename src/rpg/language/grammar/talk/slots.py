@@ -14,15 +14,24 @@ class Patterns:
     """Phrases as rows of slots, which may speak of classes; see `Row` for how they are written."""
 
     def __init__(self, *patterns: str, classes: Classes = _NONE) -> None:
-        rows = Rows(patterns, classes)
-        self.begin, self.firsts, self.words = rows.begin, rows.firsts, rows.words
+        self.rows = Rows(patterns, classes)
+
+    @property
+    def words(self) -> frozenset[str]:
+        """The words of the phrases."""
+        return self.rows.words
+
+    @property
+    def firsts(self) -> frozenset[str]:
+        """The words that they begin with."""
+        return self.rows.firsts
 
     def matches(self, p: Parser, i: int) -> Iterable[int]:
         """Positions after the patterns that stand at i, nearest first."""
         if not p.stands(i, self.firsts):
             return []
         found = []
-        step, j = self.begin.after(p.words[i]), i + 1
+        step, j = self.rows.begin.after(p.words[i]), i + 1
         while step is not None:
             if step.whole:
                 found.append(p.reach(j))

@@ -10,21 +10,22 @@ from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import STOPS, sentences, text_of
 from rpg.language.grammar.rows.said_short import IS, PLACE, PUT, THING
 from rpg.language.grammar.rows.vocabulary import FEW, WAY
+from rpg.language.patterns import on_demand
 from rpg.language.tokens import Token
 
 _APART = frozenset({",", "…"})
 _REPAIR = "(?:sorry|oops|whoops|correction|my mistake|my bad|scratch that|strike that|actually|i misspoke)"
 _MEANT = "(?:i (?:mean|meant)(?: to say)?|make that|make it|rather|wait|better|that should be|it should be)"
-_TAKEN_BACK = re.compile(
+_TAKEN_BACK = on_demand(
     f"^(?:(?:oh |ah |um |uh )?(?:no ,|no(?= {_MEANT}| {_REPAIR}| [,:])|{_REPAIR}|i meant|i mean|or rather))"
     f"(?: ?[,:])?(?: (?:{_REPAIR}|{_MEANT}|no)(?: [,:])?)*$"
 )
 _AROUND = ("the other way round", "the other way around", "the other way", "vice versa", "the reverse", "reverse that",
            "the opposite", "reversed")  # fmt: skip
-_TWO = re.compile(f"^((?:please )?(?:{PUT}|stack) )?({THING}) ((?:{IS} )?{PLACE}) ({THING})$")
-_PLACED = re.compile(f"^(.+?) ((?:directly |immediately |right )?{PLACE}) ((?:the|an?) .+|{THING})$")
-_SIDE = re.compile(f"^({PLACE}) (.+)$|^((?:to|on) the (?:left|right)|in front|behind|above|below|beside)$")
-_MANY = re.compile(f"^(\\d+|{FEW})$")
+_TWO = on_demand(f"^((?:please )?(?:{PUT}|stack) )?({THING}) ((?:{IS} )?{PLACE}) ({THING})$")
+_PLACED = on_demand(f"^(.+?) ((?:directly |immediately |right )?{PLACE}) ((?:the|an?) .+|{THING})$")
+_SIDE = on_demand(f"^({PLACE}) (.+)$|^((?:to|on) the (?:left|right)|in front|behind|above|below|beside)$")
+_MANY = on_demand(f"^(\\d+|{FEW})$")
 
 
 def taken_back(tokens: list[Token]) -> list[Token]:

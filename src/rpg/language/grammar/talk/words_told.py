@@ -9,6 +9,7 @@ from dataclasses import replace
 
 from rpg.language.grammar.rows.figures_asked import OF_DAY, WRITE
 from rpg.language.grammar.rows.parting import STOPS
+from rpg.language.patterns import on_demand
 from rpg.language.tokens import Token
 
 SPELT = frozenset({"name", "word", "nickname", "so"})
@@ -20,7 +21,7 @@ _CUBES = "(?: (?:with|in|from|using|out of) (?:the |our |my |your )?(?:letter )?
 _WHOSE = "(?:the|our|my|your|his|her|this|(?:\\w+ ){0,2}\\w+ 's)"
 _READ = "(?:it|they|you|one|we|i|the (?:tower|row|stack))(?: can)? (?:reads?|spells?|says?)"
 _WAY = "(?: (?:from )?(?:the )?(?:left|right|top|bottom) to (?:the )?(?:left|right|top|bottom)| downwards?| upwards?)?"
-_TOLD = tuple((re.compile(f"{pattern}$"), said) for pattern, said in (
+_TOLD = tuple((on_demand(f"{pattern}$"), said) for pattern, said in (
     (f"{_WHOSE} (?:new |next )?word{OF_DAY} (?:is|:) {_WORD}", "spell"),
     (f"{_WHOSE} (?:name|nickname|new word|word){OF_DAY} (?:is|:) {_WORD}{_SO}{_WRITE} (?:{_IT}|(?:the (?:word|name) )?"
      f"(?P=word))(?: (?:out|down|up))?(?P<rest>{_CUBES}{_WAY}))", "spell"),

@@ -102,3 +102,52 @@ def test_a_chain_grows_to_one_tower() -> None:
 def test_more_blocks_than_have_a_word_are_told() -> None:
     words, _, _ = read_words(tokenize("25 blocks in one row")[0])
     assert meanings(words)[0].startswith("There are 25 red blocks.")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Build a row of three pink blocks in the left half and three cyan blocks in the right half.",  # one row, or two
+        "There are three red blocks. Each red block must be on the blue patch or the green patch.",  # all on one?
+        "two red blocks next to two blue blocks, touching",  # one another, or the blue ones
+        "Two stacks, blue over green.",  # each of them, or what is one of two
+        "The H may be next to the I.",  # allowed, not asked for
+        "M and N stand on opposite sides of the brown block.",  # which one on which side
+    ],
+)
+def test_what_may_be_meant_otherwise_is_not_parsed(text: str) -> None:
+    assert told(text) == []
+
+
+@pytest.mark.parametrize(
+    ("text", "meaning"),
+    [
+        (
+            "Put the yellow and the purple block beside the blue block, one on its left and one on its right.",
+            "The yellow block and the purple block must be next to the blue block Either the yellow block must be"
+            " to the left of the blue block and the purple block must be to the right of the blue block, or the "
+            "purple block must be to the left of the blue block and the yellow block must be to the right of the "
+            "blue block.",
+        ),
+        (
+            "Put the orange or the pink cube on the green mat, but not both, and leave the white cube where it is.",
+            "The white block must stay where it is Either the orange block must be on the green patch and the "
+            "pink block must not be on the green patch, or the pink block must be on the green patch and the "
+            "orange block must not be on the green patch.",
+        ),
+        (
+            "Three towers of two orange blocks each are to be built, of which exactly one is on the pink patch.",
+            "Orange block 1 and orange block 2 must form a tower of exactly two Orange block 3 and orange block 4"
+            " must form a tower of exactly two Orange block 5 and orange block 6 must form a tower of exactly two"
+            " Orange block 1 and orange block 2 must be on the pink patch Orange block 3 must not be on the pink "
+            "patch Orange block 4 must not be on the pink patch Orange block 5 must not be on the pink patch "
+            "Orange block 6 must not be on the pink patch.",
+        ),
+        (
+            "Put the 7 and the 8 next to each other, the 8 on the right.",
+            "The 7 block must be next to the 8 block The 8 block must be to the right of the 7 block.",
+        ),
+    ],
+)
+def test_choices_and_shares(text: str, meaning: str) -> None:
+    assert told(text) == [meaning]

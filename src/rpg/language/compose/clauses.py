@@ -22,7 +22,7 @@ from rpg.language.compose.syntax import (
     Pronoun,
     is_figure,
 )
-from rpg.language.compose.verbs import AUX, Verbs, opposite_of
+from rpg.language.compose.verbs import AUX, BUILT, STAYS, TOWER, Verbs, opposite_of
 from rpg.language.compose.words import Ways, remembered
 
 _LEADS = (
@@ -48,7 +48,6 @@ _LINED = (
     "in a line from left to right", "from left to right", "left to right",
 )  # fmt: skip
 _STACK = frozenset({"stack", "pile"})
-_TOWER = Noun(det="a", noun="tower")
 _ROW = Noun(det="a", noun="row")
 _INTO = ("as", "in", "into", "in the shape of", "out as")
 _THERE = ("there is", "there are", "you have", "we have", "i have", "here is", "here are")
@@ -122,6 +121,13 @@ class Reader(Verbs):
             found += [(replace(said, mood="start"), end) for said, end in self.clause(begin)]
         if first := self.past_any(at, "first", "first ,", "first of all ,"):
             found += [(replace(said, first=True), end) for said, end in self.clause(first)]
+        if of := self.past_any(at, "of which"):
+            for amount, begin in self._amount(of):
+                some = replace(amount, of=Pronoun("which"))
+                found += [(Clause(some, said, "must"), end) for said, end in self.verbs(begin)]
+        if which := self.past_any(at, "each of which", "all of which", "both of which", "none of which"):
+            some = Noun(det={"none": "no"}.get(self.text(at), self.text(at)), of=Pronoun("which"))
+            found += [(Clause(some, said, "must"), end) for said, end in self.verbs(which)]
         for start in self._leads(at):
             there = start > at and any(self.past(at, lead.split()) == start for lead in _THERE)
             found += self._command(start)
@@ -163,14 +169,18 @@ class Reader(Verbs):
                 for said, stop in self.predicates(end):
                     if isinstance(said[0], Place):
                         if verb in _STACK and several(what):
-                            said = (Made(_TOWER), *said)
+                            said = (Made(TOWER), *said)
                         found.append((Clause(what, said, "put"), stop))
+        if verb == "leave":
+            for what, end in self.phrase(at + 1):
+                if stays := self.past_any(end, *STAYS):
+                    found.append((Clause(what, (Place("stay"),), "put"), stays))
         if (lined := self.past_any(at, "line up")) and not no:
             existing = [way for way in self._existing(lined) if not is_figure(way[0])]  # which way they face is open
             found += [(Clause(what, (Made(_ROW), *said), "build"), end) for what, said, end in existing]
         if verb in _STACK and not no:
             for what, end in self.phrase(start):
-                for tower, stop in ((_TOWER, end), *self.ordered(_TOWER, end)):
+                for tower, stop in ((TOWER, end), *self.ordered(TOWER, end)):
                     found.append((Clause(what, (Made(tower),), "build"), stop))
         if no:
             denied = [(replace(clause, predicates=opposite_of(clause.predicates)), end) for clause, end in found]
@@ -229,6 +239,8 @@ class Reader(Verbs):
     def _statement(self, at: int) -> Ways[Clause]:
         found: Ways[Clause] = []
         for what, stop in self.phrase(at):
+            if built := self.past_any(stop, *BUILT):
+                found.append((Clause(what, (), "build"), built))
             for aside, start in ((None, stop), *self._aside(stop), *self.last_at(what, stop)):
                 mood = "must" if self.past_any(start, *AUX, "not") else "so"
                 mood = "may" if self.text(start) in {"may", "can"} and self.text(start + 1) != "not" else mood

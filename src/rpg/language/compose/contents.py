@@ -95,6 +95,28 @@ class Contents(Series, ABC):
                     found.append((Noun(count=self.number(of), noun="block", many=True), of + 1))
         return found
 
+    def told_apart(self, noun: Noun, at: int) -> Ways[Phrase]:
+        """ "two patches, a yellow and a gray one", "three: black, orange and gray": of each colour one."""
+        if self.text(at) not in {",", ":"} or noun.count < 2 or noun.color or noun.noun not in {"", "block", "patch"}:
+            return []
+        colors: list[str] = []
+        end = at + 1
+        while True:
+            end += self.text(end) in {"a", "one"}
+            color = lexicon.COLOR.get(self.text(end))
+            if color is None:
+                return []
+            colors.append(color)
+            end += 1 + (self.text(end + 1) in {"one", "block", "patch"})
+            if len(colors) == noun.count:
+                break
+            end = self.past_any(end, ", and", "and", ",")
+            if not end:
+                return []
+        if len({*colors}) < len(colors):
+            return []
+        return [(Both(tuple(Noun(det="a", color=color, noun=noun.noun or "block") for color in colors)), end)]
+
     def last_at(self, what: Phrase, at: int) -> Ways[Clause]:
         """ "(a plus of four red blocks and a blue one) in the middle": where the last of its blocks is."""
         content = what.content if isinstance(what, Noun) else None

@@ -51,7 +51,7 @@ def figures_of(scene: Scene, noun: Noun, resolve: Resolve) -> Ref:
             raise Unclear
     if noun.nth or noun.bound or set(noun.ranks) - {"tall", "short", "hollow", "full"}:
         raise Unclear
-    if noun.count > 1 and (noun.made == "from" or (isinstance(noun.content, Both) and noun.made != "each")):
+    if noun.count > 1 and (noun.made == "from" or (isinstance(noun.content, Both | Chain) and noun.made != "each")):
         raise Unclear  # these are all of their blocks, or those of each
     if kind in {"row", "line"} and isinstance(noun.content, Noun) and noun.content.noun == "tower":
         towers = resolve(scene, noun.content)

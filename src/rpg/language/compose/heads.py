@@ -17,7 +17,7 @@ BOUNDS = [
     for ways, bound, more in (
         ("exactly|one and only", "exactly", 0), ("at least|no fewer than|not fewer than|no less than", "least", 0),
         ("at most|no more than|not more than", "most", 0), ("more than", "least", 1), ("fewer than", "most", -1),
-        ("only", "exactly", 0),
+        ("only|just", "exactly", 0),
     )
     for words in ways.split("|")
 ]  # fmt: skip
@@ -37,6 +37,7 @@ _RELATIONS: dict[str, tuple[str, ...]] = {
     "off": ("off of", "off", "outside of", "outside", "not on"),
     "in": ("inside of", "inside", "within", "into", "in", "at", "to"),
     "opposite": ("at the other end of",),
+    "flank": ("on opposite side of", "on either side of", "on both side of", "at opposite side of"),
 }
 RELATIONS = sorted(
     ((words.split(), relation) for relation, ways in _RELATIONS.items() for words in ways), key=lambda way: -len(way[0])

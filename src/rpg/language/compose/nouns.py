@@ -79,6 +79,7 @@ def _one_of(scene: Scene, phrase: Both) -> Ref:
     if unlike or any(ref.bound or ref.no or ref.each for ref in refs):
         raise Unclear
     one = refs[scene.choose(len(refs))]
+    scene.instead = [ref for ref in refs if ref is not one]
     if one.kind == "block":
         scene.whole, scene.taken = ids, list(one.ids)
     scene.here = [ref for ref in scene.here if ref not in refs]
@@ -89,6 +90,10 @@ def _pronoun(scene: Scene, word: str) -> Ref:
     """The one thing, or the one lot, that was spoken of last and that it can stand for."""
     if word == "which":
         return _last(scene)
+    if word == "neither":
+        if len(scene.patches) != 2:
+            raise Unclear
+        return Ref("patch", [0, 1], no=True)
     many = word in {"they", "their", "them", "these", "those", "both"}
     for spoken in (scene.here, scene.before):
         fits = [ref for ref in spoken if (len(ref.ids) > 1) == many and ref.kind != "table"]
@@ -104,6 +109,9 @@ def _pronoun(scene: Scene, word: str) -> Ref:
         first = fits[0] if len({(ref.kind, tuple(ref.ids)) for ref in fits}) == 1 else None
         if first is None or (first.kind == "block" and not many and _is_member(scene, first.ids[0])):
             raise Unclear
+        stocked = {n for lot in scene.stock for n in lot}
+        if many and first.kind == "block" and set(first.ids) < stocked and not stocked & scene.used:
+            raise Unclear  # those that were told of last, or all that there are
         whole = next(
             (n for n, f in enumerate(scene.figures) if f.kind == "tower" and set(f.blocks) == set(first.ids)), None
         )
@@ -216,7 +224,7 @@ def _others(scene: Scene, noun: Noun) -> Ref:
         return Ref("block", apart)
     if not scene.taken or not left or (noun.count and noun.count != len(left)):
         raise Unclear
-    if not noun.many and not noun.count and len(left) > 1:
+    if not noun.count and noun.many != (len(left) > 1):
         raise Unclear
     if noun.color and any(scene.blocks[n].color != noun.color for n in left):
         raise Unclear
@@ -257,6 +265,8 @@ def _some_of(scene: Scene, noun: Noun) -> Ref:
         return Ref(whole.kind, ids, each=noun.det == "each", every=True)
     if noun.det == "no":
         return Ref(whole.kind, ids, no=True, each=True)
+    if whole.kind == "figure" and noun.count and noun.count < len(ids) and noun.bound in {"", "exactly"}:
+        return _some_figures(scene, ids, noun)
     count = len(ids) // 2 if noun.det == "half" else len(ids) - noun.count if noun.det == "but" else noun.count
     if whole.kind != "block" or count < 1 or count > len(ids) or (noun.det == "half" and len(ids) % 2):
         raise Unclear
@@ -272,6 +282,19 @@ def _some_of(scene: Scene, noun: Noun) -> Ref:
     chosen = left[:count]
     rest = [n for n in ids if n not in chosen] if noun.bound != "least" else []
     return replace(_take(scene, chosen), rest=rest, bound=noun.bound)
+
+
+def _some_figures(scene: Scene, ids: list[int], noun: Noun) -> Ref:
+    """So many of figures that look alike, and of which nothing was said yet."""
+    figures = [scene.figures[n] for n in ids]
+    looks = {(f.kind, f.size, tuple(scene.blocks[n].look[:2] for n in f.blocks)) for f in figures}
+    known = {n for fact in scene.facts for ref in (fact.a, fact.b) if ref is not None and ref.kind == "figure"
+             for n in ref.ids}  # fmt: skip
+    blocks = {n for fact in scene.facts for ref in (fact.a, fact.b) if ref is not None and ref.kind == "block"
+              for n in ref.ids}  # fmt: skip
+    if len(looks) > 1 or known & set(ids) or any(blocks & set(figure.blocks) for figure in figures):
+        raise Unclear
+    return Ref("figure", ids[: noun.count], ids[noun.count :], bound=noun.bound)
 
 
 def _patch(scene: Scene, noun: Noun) -> Ref:

@@ -24,7 +24,7 @@ from rpg.language.compose.syntax import (
 )
 from rpg.language.compose.words import Ways, remembered
 
-_PRONOUNS = frozenset({"it", "they", "them", "this", "that", "these", "those", "both"})
+_PRONOUNS = frozenset({"it", "they", "them", "this", "that", "these", "those", "both", "neither"})
 _SIGNS = {"plus": "+", "minus": "-", "equals": "=", "times": "*", "equal": "="}
 _DETS = {
     "a": "a", "an": "a", "the": "the", "each": "each", "every": "each", "all": "all", "both": "both", "no": "no",
@@ -83,6 +83,8 @@ class Phrases(Contents):
     @remembered
     def _simple(self, at: int) -> Ways[Phrase]:
         found: Ways[Phrase] = list(self._labels(at))
+        if one := self.past_any(at, "that one", "this one"):
+            found.append((Pronoun("it"), one))
         if self.text(at) in _PRONOUNS:
             found.append((Pronoun(self.text(at)), at + 1))
         found += self._sign(at)
@@ -242,6 +244,7 @@ class Phrases(Contents):
                 if not start.det or not amount.bound:
                     starts.append((replace(amount, det=start.det), stop))
         for start, end in starts:
+            found += self.told_apart(start, end)
             for noun, stop in self._head(end, start):
                 found += self._behind(noun, stop)
         return found
@@ -273,6 +276,7 @@ class Phrases(Contents):
             found += [*figures[1:], *(way for figure, end in figures for way in self.ordered(figure, end))]
             found += self._one_by_one(noun, at)
         elif noun.noun != "table":
+            found += self.told_apart(noun, at)
             found += [(replace(noun, of=whole), stop) for whole, stop in self._whole(at)]
             found += self._counted_from(noun, at)
             if noun.noun in {"block", "one", *SYMBOL_KINDS} and noun.det == "the" and not noun.ranks:

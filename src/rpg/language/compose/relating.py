@@ -51,12 +51,16 @@ def bare(scene: Scene, ref: Ref, said: Place) -> None:
         if len(ref.ids) != 2 and (name != "apart" and not said.no):
             raise Unclear
         word = {"side by side": "next to", "touching": "touch", "apart": "apart"}[name]
+        if said.cm and ref.kind == "figure" and any(scene.figures[n].kind != "tower" for n in ref.ids):
+            raise Unclear  # from which to which of their blocks?
         if said.cm:
             bound = {"least": "at least ", "most": "at most "}.get(said.bound, "")
             word = f"{bound}{said.cm:g} cm from"
         scene.facts += [
             Fact(Ref(ref.kind, [a]), word, Ref(ref.kind, [b]), no=said.no) for a, b in combinations(ref.ids, 2)
         ]
+    elif name == "stay" and ref.kind == "block" and not (said.no or ref.bound or ref.rest):
+        scene.facts.append(Fact(Ref("block", ref.ids), "stay"))
     elif name == "any order" and not said.no:
         _in_any_order(scene, ref)
     elif name == "in turn" and ref.kind == "figure" and len(ref.ids) == 2 and not said.no:
@@ -129,6 +133,12 @@ def _in_figure(scene: Scene, ref: Ref, name: str, *, no: bool) -> None:
     if len({tuple(r.ids) for r in spoken}) > 1:
         raise Unclear
     last = spoken[0] if spoken else None
+    pairs = {tuple(r.ids) for refs in (scene.here, scene.before) for r in refs if r.kind == "block" and len(r.ids) == 2}
+    if last is None and name in SIDES and len(pairs) == 1 and ref.kind == "block" and len(ref.ids) == 1 and not no:
+        pair = set(pairs.pop())
+        if set(ref.ids) < pair:  # "the two side by side, the red one on the right"
+            scene.facts.append(Fact(ref, SIDES[name], Ref("block", list(pair - set(ref.ids)))))
+            return
     if last is not None and any(scene.blocks[n].look[2] for at in last.ids for n in scene.figures[at].blocks):
         raise Unclear  # it may be one of its blocks
     if last is None or len(last.ids) != 1 or ref.kind == "table":
@@ -174,8 +184,12 @@ def place(scene: Scene, ref: Ref, target: Ref, said: Place) -> None:
     name = said.relation
     if target.no:
         said, target = replace(said, no=not said.no), replace(target, no=False)
+    if target.kind == "figure" and target.bound == "exactly" and len(ref.ids) == 1 and not said.no:
+        target = replace(target, bound="", rest=[])  # what is one is on no other one
     if ref.kind in {"patch", "table"} or target.bound:
         raise Unclear
+    if name == "flank":
+        return  # on which side is told behind
     if name in {"in", "on"} and target.kind == "patch":
         _on_patch(scene, ref, target, no=said.no)
         if said.how == "flat":
@@ -199,6 +213,10 @@ def place(scene: Scene, ref: Ref, target: Ref, said: Place) -> None:
 
 
 def _on_patch(scene: Scene, ref: Ref, target: Ref, *, no: bool) -> None:
+    if no and len(target.ids) == 2:
+        for n in target.ids:
+            _on_patch(scene, ref, Ref("patch", [n]), no=True)
+        return
     if len(target.ids) != 1 or ((ref.bound or ref.rest) and no) or ref.bound == "most":
         raise Unclear
     whole = scene.figure_of(ref.ids[0]) if ref.kind == "block" and ref.every else None
@@ -207,6 +225,8 @@ def _on_patch(scene: Scene, ref: Ref, target: Ref, *, no: bool) -> None:
     if ref.kind == "figure":
         for at in ref.ids:
             scene.facts.append(Fact(Ref("block", scene.figures[at].blocks), "patch", target, no=no))
+        for n in (n for at in ref.rest for n in scene.figures[at].blocks):
+            scene.facts.append(Fact(Ref("block", [n]), "patch", target, no=True))
         return
     if no:
         scene.facts += [Fact(Ref("block", [n]), "patch", target, no=True) for n in ref.ids]

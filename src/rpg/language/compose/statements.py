@@ -6,13 +6,14 @@ import pickle
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
-from itertools import pairwise
+from itertools import pairwise, permutations
 
-from rpg.language.compose.items import FIGURES, PARTS
+from rpg.language.compose.items import PARTS
 from rpg.language.compose.lined import line_up
 from rpg.language.compose.nouns import resolve
 from rpg.language.compose.relating import SIDES, at_part, bare, between, in_region, on, place, tops_of
 from rpg.language.compose.scene import Fact, Ref, Scene, Unclear
+from rpg.language.compose.subjects import check_subject, there_is, told_of_figures
 from rpg.language.compose.syntax import (
     Bears,
     Both,
@@ -22,16 +23,18 @@ from rpg.language.compose.syntax import (
     Holding,
     Holds,
     Label,
-    Listing,
     Looks,
     Made,
+    NotBoth,
     Noun,
     Phrase,
     Place,
     Predicate,
     Pronoun,
+    Shares,
 )
 
+TOWER = Noun(det="a", noun="tower")
 _BESIDE = frozenset({*SIDES, "next", "near", "far"})
 
 
@@ -62,6 +65,32 @@ def _one_or_other(scene: Scene, clause: Clause) -> None:
         raise Unclear
 
 
+def _stacked_on(scene: Scene, said: Sequence[Predicate]) -> None:
+    """ "(Two are) stacked on the gray one": that is spoken of before there is a tower that it could be one of."""
+    if len(said) > 1 and said[0] == Made(TOWER):
+        of = said[1].of if isinstance(said[1], Place) else None
+        if isinstance(of, Noun) and of.det == "the" and of.noun in {"block", "one"} and not of.ranks:
+            resolve(scene, of)
+
+
+def _not_the_other(scene: Scene, ref: Ref, said: Predicate) -> None:
+    """ "(red or blue on the patch,) but not both": the other one is not there."""
+    if not ref.either or not isinstance(said, Place) or said.no:
+        raise Unclear
+    for other in scene.instead:
+        _said(scene, replace(other, fresh=False), replace(said, no=True))
+
+
+def _shared(scene: Scene, ref: Ref, said: Shares) -> None:
+    """Each of several at a place of its own, whichever is where."""
+    if ref.kind != "block" or len(ref.ids) != len(said.places) or ref.bound or ref.rest or ref.no:
+        raise Unclear
+    orders = list(permutations(ref.ids))
+    chosen = ref.ids if scene.alike(ref.ids) else orders[scene.choose(len(orders))]
+    for n, there in zip(chosen, said.places, strict=True):
+        _said(scene, Ref("block", [n]), there)
+
+
 def _one_place(scene: Scene, ref: Ref, said: Either) -> None:
     """It is at one of several places."""
     if len(ref.ids) > 1 or ref.each:
@@ -86,7 +115,7 @@ def _introduced(scene: Scene, ways: Sequence[Callable[[Scene], None]]) -> int:
 
 
 def _say(scene: Scene, clause: Clause) -> None:
-    clause = _told_of_figures(scene, clause)
+    clause = told_of_figures(scene, clause)
     subject = clause.subject
     if isinstance(subject, Chain):
         if clause.predicates:
@@ -107,13 +136,13 @@ def _say(scene: Scene, clause: Clause) -> None:
         _one_for_each(scene, subject, clause.predicates[0])
         return
     ref = resolve(scene, subject)
-    _check_subject(scene, clause, ref)
+    check_subject(scene, clause, ref)
     if clause.mood == "may" and not ref.no and not all(isinstance(said, Either) for said in clause.predicates):
         raise Unclear  # this is allowed, not asked for
     if clause.aside is not None:
         _aside(scene, ref, clause.aside)
     if not clause.predicates:
-        _there_is(scene, ref)
+        there_is(scene, ref)
     scene.subject = (ref.kind, ref.ids)
     if len(clause.predicates) > 1 and any(isinstance(p, Place) and p.how == "immediately" for p in clause.predicates):
         raise Unclear  # "right next to it, on its left": how near is said of both
@@ -122,7 +151,16 @@ def _say(scene: Scene, clause: Clause) -> None:
         for p in clause.predicates
     ):
         raise Unclear  # "next to the blue ones, touching": one another, or them
-    for said in clause.predicates:
+    flanking = any(isinstance(said, Place) and said.relation == "flank" for said in clause.predicates)
+    if flanking and not any(isinstance(said, Shares) for said in clause.predicates):
+        raise Unclear  # which one is on which side?
+    _stacked_on(scene, clause.predicates)
+    for n, said in enumerate(clause.predicates):
+        if said == Made(TOWER) and ref.kind == "block" and len(ref.ids) == 1 and len(clause.predicates) > 1:
+            continue  # "stacked on it"
+        if isinstance(said, NotBoth):
+            _not_the_other(scene, ref, clause.predicates[n - 1])
+            continue
         _said(scene, ref, said)
         if isinstance(said, Made) and ref.kind == "block" and scene.figures[-1].kind == "tower":
             ref = Ref("figure", [len(scene.figures) - 1])  # what is said next is said of the tower
@@ -130,42 +168,6 @@ def _say(scene: Scene, clause: Clause) -> None:
     scene.place_barred()
     if clause.predicates and ref.kind == "block":
         scene.used.update(ref.ids)
-
-
-def _told_of_figures(scene: Scene, clause: Clause) -> Clause:
-    """ "One tower is white on red", "the three stacks are ...": new ones are made of what is told of them."""
-    subject, said = clause.subject, clause.predicates[:1]
-    if not said or not isinstance(said[0], Looks) or not isinstance(said[0].like, Chain | Listing):
-        return clause
-    if not isinstance(subject, Noun) or subject.content is not None or subject.of is not None:
-        raise Unclear
-    if subject.det == "other" and len(scene.figures) == 1 and subject.noun in {"", "one", *FIGURES}:
-        subject = replace(subject, det="another", noun=scene.figures[0].kind)
-    elif (
-        subject.noun not in FIGURES
-        or not (subject.det or subject.count or subject.many)
-        or (subject.det not in {"", "a"} and scene.figures)
-    ):
-        raise Unclear
-    return replace(clause, subject=replace(subject, content=said[0].like, made="of"), predicates=clause.predicates[1:])
-
-
-def _check_subject(scene: Scene, clause: Clause, ref: Ref) -> None:
-    """Raises Unclear where something may be said of other blocks than of those."""
-    subject = clause.subject
-    if ref.kind != "block":
-        return
-    if isinstance(subject, Noun):
-        like = sum(block.look == scene.blocks[ref.ids[0]].look for block in scene.blocks)
-        denied = any(isinstance(said, Place) and said.no for said in clause.predicates)
-        if denied and subject.det in {"a", "another", ""} and not subject.of and like > 1:
-            raise Unclear  # of one of them, or of none
-        built = [f for f in scene.figures if not f.implied and f.stage == scene.stage]
-        moved = clause.mood == "put" and bool(subject.ranks or subject.of)
-        if moved and any(set(ref.ids) & set(f.blocks) for f in built):
-            raise Unclear  # what it is taken from is there already
-    if not clause.mood and clause.predicates and len(ref.ids) > 1 and scene.figures and ref.fresh:
-        raise Unclear  # these may form what was told ahead
 
 
 def _aside(scene: Scene, ref: Ref, clause: Clause) -> None:
@@ -180,27 +182,6 @@ def _aside(scene: Scene, ref: Ref, clause: Clause) -> None:
         on(scene, other, ref, "on", no=False)
     else:
         raise Unclear
-
-
-def _there_is(scene: Scene, ref: Ref) -> None:
-    """Blocks that are told of by themselves are those that the rest of the text is about."""
-    if not ref.fresh or ref.kind not in {"block", "figure"}:
-        raise Unclear
-    if ref.kind == "block":
-        if any(
-            scene.blocks[n].look == block.look
-            for n in ref.ids
-            for m, block in enumerate(scene.blocks)
-            if m not in ref.ids
-        ):
-            raise Unclear  # these, or further ones
-        lots: dict[tuple[str, str, int], list[int]] = {}
-        for n in ref.ids:
-            lots.setdefault(scene.blocks[n].look, []).append(n)
-        for lot in lots.values():
-            scene.stock.append(lot)
-        if len(lots) == 1:
-            scene.whole, scene.taken = list(ref.ids), []
 
 
 def _stacked(scene: Scene, chain: Chain) -> None:
@@ -279,6 +260,9 @@ def _said(scene: Scene, ref: Ref, said: Predicate) -> None:
     if isinstance(said, Either):
         _one_place(scene, ref, said)
         return
+    if isinstance(said, Shares):
+        _shared(scene, ref, said)
+        return
     if isinstance(said, Place) and said.no and (ref.each or ref.no or ref.every or ref.either):
         raise Unclear
     if isinstance(said, Place) and isinstance(said.of, Noun):
@@ -286,13 +270,10 @@ def _said(scene: Scene, ref: Ref, said: Predicate) -> None:
             raise Unclear
         if _on_an_end(said):
             raise Unclear
-        if said.relation == "on" and not said.of.noun and scene.patches:
+        only_color = said.of.color and not said.of.noun
+        if said.relation == "on" and only_color and scene.patches:
             raise Unclear  # a block or a patch of that colour
-        if (
-            said.relation == "on"
-            and not said.of.noun
-            and any(scene.blocks[n].label for n in ref.ids if ref.kind == "block")
-        ):
+        if said.relation == "on" and only_color and any(scene.blocks[n].label for n in ref.ids if ref.kind == "block"):
             raise Unclear  # a block, or the colour of the block with the symbol
     if ref.no:
         if not isinstance(said, Place) or said.of is None:
@@ -304,7 +285,7 @@ def _said(scene: Scene, ref: Ref, said: Predicate) -> None:
         _looks(scene, ref, said.like)
     elif isinstance(said, Bears):
         _bears(scene, ref, said)
-    elif isinstance(said, Holds | Holding):
+    elif isinstance(said, Holds | Holding | NotBoth):
         raise Unclear
     elif said.relation == "region":
         in_region(scene, ref, said)

@@ -141,7 +141,19 @@ class Holding:
     no: bool = False
 
 
-Predicate = Place | Made | Looks | Bears | Holds | Holding | Either
+@dataclass(frozen=True, slots=True)
+class Shares:
+    """Where each of several is: "one on its left and one on its right"."""
+
+    places: tuple[Place, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class NotBoth:
+    """Of two that "or" joins, the other one is not there."""
+
+
+Predicate = Shares | NotBoth | Place | Made | Looks | Bears | Holds | Holding | Either
 
 
 @dataclass(frozen=True, slots=True)

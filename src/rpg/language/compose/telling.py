@@ -154,6 +154,8 @@ def _fact(scene: Scene, fact: Fact) -> str:
         if fact.no:
             raise Unclear
         return _sentence(f"nothing must be on {a}")
+    if fact.said == "stay":
+        return _sentence(f"{a} must stay where {'it is' if len(fact.a.ids) == 1 else 'they are'}")
     if fact.said == "table":
         return _sentence(f"{a} {must} be on the table")
     if fact.said in {IN_ORDER, FROM_LEFT}:
@@ -215,7 +217,17 @@ def _figure(scene: Scene, figure: Figure) -> str:
         return _sentence(f"{names} must be in one group")
     if figure.kind in {"circle", "triangle"} and figure.told:
         raise Unclear
+    if figure.kind == "pyramid" and figure.told and _differs_on_top(scene, figure):
+        order = f" with {_name(scene, figure.blocks[0])} at the top"
     return _sentence(f"{names} must form {_form(figure, many)}{order}")
+
+
+def _differs_on_top(scene: Scene, pyramid: Figure) -> bool:
+    """Whether nothing is told of its other blocks apart, which look alike."""
+    top, rest = pyramid.blocks[0], pyramid.blocks[1:]
+    told = {n for fact in scene.facts for ref in (fact.a, fact.b, fact.c) if ref and ref.kind == "block"
+            for n in ref.ids}  # fmt: skip
+    return scene.alike(rest) and not scene.alike([top, rest[0]]) and not told & set(rest)
 
 
 def _topped(scene: Scene, fact: Fact) -> Ref | None:

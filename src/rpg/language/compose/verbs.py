@@ -6,7 +6,20 @@ from dataclasses import replace
 
 from rpg.language.compose.items import FIGURES, RANK
 from rpg.language.compose.places import Places
-from rpg.language.compose.syntax import Bears, Chain, Either, Holds, Looks, Made, Noun, Phrase, Place, Predicate
+from rpg.language.compose.syntax import (
+    Bears,
+    Chain,
+    Either,
+    Holds,
+    Looks,
+    Made,
+    NotBoth,
+    Noun,
+    Phrase,
+    Place,
+    Predicate,
+    Shares,
+)
 from rpg.language.compose.words import Ways, remembered
 
 AUX = (
@@ -28,6 +41,16 @@ _FORM = ("form", "forms", "make", "makes", "become", "becomes", "make up", "make
          "stacked into", "turn into", "are built into", "is", "are")  # fmt: skip
 _BEAR = ("carry", "carries", "support", "supports", "bear", "bears", "has", "have", "get", "gets", "hold", "holds",
          "carrying", "bearing", "supporting", "holding")  # fmt: skip
+STAYS = ("where it is", "where they are", "as it is", "as they are", "untouched", "alone", "in place", "unmoved")
+BUILT = tuple(
+    f"{must} {be} {done}"
+    for must, be in (("are to", "be"), ("is to", "be"), ("must", "be"), ("should", "be"), ("shall", "be"))
+    for done in ("built", "made", "formed", "constructed", "assembled", "set up")
+)
+_NOT_BOTH = tuple(f"{but} not both{of}" for but in ("but", ", but") for of in ("", " of them"))
+_OTHER = tuple(f"{also} {other}" for also in ("and", ", and", ",") for other in ("one", "the other", "the other one"))
+_PILED = frozenset({"stacked", "piled"})
+TOWER = Noun(det="a", noun="tower")
 _FLAT = frozenset({"patch", "table"})
 
 
@@ -47,8 +70,12 @@ class Verbs(Places):
                 if isinstance(figure, Noun) and figure.noun in FIGURES and figure.det in {"a", ""}:
                     found.append(((Made(figure),), end))
         found += self._either(at)
+        found += self._shares(at)
         for place, end in self.place(at):
             found.append(((place,), end))
+            found += [((place, *shared), stop) for shared, stop in self._shares(end + (self.text(end) == ","))]
+            if both := self.past_any(end, *_NOT_BOTH):
+                found.append(((place, NotBoth()), both))
             for more, stop in self.place(end):
                 if more.of is None and more.relation in {"flat", "side by side", "touching"}:
                     found.append(((place, more), stop))
@@ -60,6 +87,16 @@ class Verbs(Places):
             for start in ways:
                 more_said = [*self.predicates(start), *(self.verbs(start) if self.text(start - 1) != "," else ())]
                 found += [((place, *more), stop) for more, stop in more_said]
+        return found
+
+    def _shares(self, at: int) -> Ways[tuple[Predicate, ...]]:
+        """ "one on its left and one on its right", "one to the left and the other to the right of it"."""
+        found: Ways[tuple[Predicate, ...]] = []
+        for first, end in self.place(at + 1) if self.text(at) == "one" else ():
+            for second, stop in self.place(other) if (other := self.past_any(end, *_OTHER)) else ():
+                one = replace(first, of=first.of or second.of)
+                if one.of is not None and second.of is not None:
+                    found.append(((Shares((one, second)),), stop))
         return found
 
     def _either(self, at: int) -> Ways[tuple[Predicate, ...]]:
@@ -102,6 +139,11 @@ class Verbs(Places):
             here += [((Looks(like),), stop) for like, stop in self.single(not_there)]
             here += [((Looks(like),), stop) for like, stop in self._listing(not_there)]
             here += self._neither(end)
+            if self.text(end) in _PILED:
+                here += [((Made(TOWER), *said), stop) for said, stop in self.predicates(end + 1)]
+                here.append(((Made(TOWER),), end + 1))
+            if stays := self.past_any(end, *STAYS):
+                here.append(((Place("stay"),), stays))
             if denied or not_there > end:  # what is joined to it may be denied, too, or not
                 here = [(opposite, stop) for said, stop in here if (opposite := opposite_of(said))]
             found += here

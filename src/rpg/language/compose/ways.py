@@ -10,7 +10,7 @@ from dataclasses import replace
 from rpg.language.compose.clauses import Reader, Step, several
 from rpg.language.compose.scene import Impossible, Scene, Unclear
 from rpg.language.compose.statements import say
-from rpg.language.compose.syntax import Clause, Made
+from rpg.language.compose.syntax import Clause, Made, Noun, is_figure
 
 _MOST = 300
 """So many ways to read a text are looked at; one with more of them is not read."""
@@ -36,8 +36,8 @@ def readings(reader: Reader) -> Iterator[tuple[tuple[Clause, ...], list[Scene]]]
         steps = reader.steps(last.at, said=last.said) if last else reader.steps(0)
         for step in reversed(list(steps)):
             tried += 1
-            clause = _behind(last, step.clause) if last else step.clause
             with suppress(Unclear):
+                clause = _behind(last, step.clause) if last else step.clause
                 scenes = [scene for before in told for scene in _said(before, clause)]
                 if len(scenes) > _MOST_SCENES:
                     raise Unclear
@@ -75,6 +75,11 @@ def _said(told: bytes, clause: Clause) -> list[Scene]:
 def _behind(last: Step, clause: Clause) -> Clause:
     """A clause behind another one: it may be of later, or have its verb."""
     clause = replace(clause, later=last.later or clause.later)
+    subject = last.clause.subject
+    new = is_figure(subject) and not (isinstance(subject, Noun) and subject.det == "the")
+    built = new and last.clause.mood in {"build", "put"} and last.clause.predicates
+    if last.joined and built and not clause.mood and clause.predicates and not is_figure(clause.subject):
+        raise Unclear  # "a row of red blocks on the left and blue ones on the right": another row, or not
     if not last.joined or clause.mood or not clause.predicates or last.clause.mood != "put":
         return clause
     stacked = last.clause.predicates[:1]

@@ -1,0 +1,68 @@
+"""What a clause is about: things that it tells of for the first time, and those of which it may say something."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language.compose.items import FIGURES
+from rpg.language.compose.scene import Ref, Scene, Unclear
+from rpg.language.compose.syntax import Chain, Clause, Listing, Looks, Noun, Place
+
+
+def told_of_figures(scene: Scene, clause: Clause) -> Clause:
+    """ "One tower is white on red", "the three stacks are ...": new ones are made of what is told of them."""
+    subject, said = clause.subject, clause.predicates[:1]
+    if not said or not isinstance(said[0], Looks) or not isinstance(said[0].like, Chain | Listing):
+        return clause
+    if not isinstance(subject, Noun) or subject.content is not None or subject.of is not None:
+        raise Unclear
+    if subject.det == "other" and len(scene.figures) == 1 and subject.noun in {"", "one", *FIGURES}:
+        subject = replace(subject, det="another", noun=scene.figures[0].kind)
+    elif (
+        subject.noun not in FIGURES
+        or not (subject.det or subject.count or subject.many)
+        or (subject.det not in {"", "a"} and scene.figures)
+    ):
+        raise Unclear
+    return replace(clause, subject=replace(subject, content=said[0].like, made="of"), predicates=clause.predicates[1:])
+
+
+def check_subject(scene: Scene, clause: Clause, ref: Ref) -> None:
+    """Raises Unclear where something may be said of other blocks than of those."""
+    subject = clause.subject
+    if ref.kind != "block":
+        return
+    if isinstance(subject, Noun):
+        like = sum(block.look == scene.blocks[ref.ids[0]].look for block in scene.blocks)
+        denied = any(isinstance(said, Place) and said.no for said in clause.predicates)
+        if denied and subject.det in {"a", "another", ""} and not subject.of and like > 1:
+            raise Unclear  # of one of them, or of none
+        built = [f for f in scene.figures if not f.implied and f.stage == scene.stage]
+        moved = clause.mood == "put" and bool(subject.ranks or subject.of)
+        if moved and any(set(ref.ids) & set(f.blocks) for f in built):
+            raise Unclear  # what it is taken from is there already
+    if not clause.mood and clause.predicates and len(ref.ids) > 1 and scene.figures and ref.fresh:
+        raise Unclear  # these may form what was told ahead
+
+
+def there_is(scene: Scene, ref: Ref) -> None:
+    """Blocks that are told of by themselves are those that the rest of the text is about."""
+    if ref.kind == "patch":
+        return
+    if not ref.fresh or ref.kind not in {"block", "figure"}:
+        raise Unclear
+    if ref.kind == "block":
+        if any(
+            scene.blocks[n].look == block.look
+            for n in ref.ids
+            for m, block in enumerate(scene.blocks)
+            if m not in ref.ids
+        ):
+            raise Unclear  # these, or further ones
+        lots: dict[tuple[str, str, int], list[int]] = {}
+        for n in ref.ids:
+            lots.setdefault(scene.blocks[n].look, []).append(n)
+        for lot in lots.values():
+            scene.stock.append(lot)
+        if len(lots) == 1:
+            scene.whole, scene.taken = list(ref.ids), []

@@ -48,7 +48,7 @@ _LINED = (
     "in a line from left to right", "from left to right", "left to right",
 )  # fmt: skip
 _STACK = frozenset({"stack", "pile"})
-_ROW = Noun(det="a", noun="row")
+_LINE = Noun(det="a", noun="line")
 _INTO = ("as", "in", "into", "in the shape of", "out as")
 _THERE = ("there is", "there are", "you have", "we have", "i have", "here is", "here are")
 _THEN = (
@@ -177,7 +177,7 @@ class Reader(Verbs):
                     found.append((Clause(what, (Place("stay"),), "put"), stays))
         if (lined := self.past_any(at, "line up")) and not no:
             existing = [way for way in self._existing(lined) if not is_figure(way[0])]  # which way they face is open
-            found += [(Clause(what, (Made(_ROW), *said), "build"), end) for what, said, end in existing]
+            found += [(Clause(what, (Made(_LINE), *said), "build"), end) for what, said, end in existing]
         if verb in _STACK and not no:
             for what, end in self.phrase(start):
                 for tower, stop in ((TOWER, end), *self.ordered(TOWER, end)):
@@ -270,10 +270,9 @@ class Reader(Verbs):
         if color := lexicon.COLOR.get(self.text(start)):
             looks.append(((Looks(Noun(color=color)),), start + 1))
         if end := self.past_any(start, *_LINED):
-            row = Noun(
-                det="a", noun="row", ranks=("left",) if "left" in [i.text for i in self.items[start:end]] else ()
-            )
-            looks.append(((Made(row),), end))
+            looks.append(((Made(Noun(det="a", noun="row", ranks=("left",))),), end))
+        if end := self.past_any(start, "lined up", ", lined up"):
+            looks.append(((Made(_LINE),), end))
         verbs = self.verbs(start) if start > at or self.text(start).endswith("ing") else []
         return [*looks, *self.predicates(start), *verbs]
 

@@ -59,7 +59,7 @@ def bare(scene: Scene, ref: Ref, said: Place) -> None:
         scene.facts += [
             Fact(Ref(ref.kind, [a]), word, Ref(ref.kind, [b]), no=said.no) for a, b in combinations(ref.ids, 2)
         ]
-    elif name == "stay" and ref.kind == "block" and not (said.no or ref.bound or ref.rest):
+    elif name == "stay" and ref.kind == "block" and not (said.no or ref.bound or ref.rest or ref.either):
         scene.facts.append(Fact(Ref("block", ref.ids), "stay"))
     elif name == "any order" and not said.no:
         _in_any_order(scene, ref)

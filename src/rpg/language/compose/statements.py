@@ -142,7 +142,7 @@ def _say(scene: Scene, clause: Clause) -> None:
     if clause.aside is not None:
         _aside(scene, ref, clause.aside)
     if not clause.predicates:
-        there_is(scene, ref)
+        there_is(scene, ref, clause.mood)
     scene.subject = (ref.kind, ref.ids)
     if len(clause.predicates) > 1 and any(isinstance(p, Place) and p.how == "immediately" for p in clause.predicates):
         raise Unclear  # "right next to it, on its left": how near is said of both
@@ -304,7 +304,8 @@ def _said(scene: Scene, ref: Ref, said: Predicate) -> None:
         target = resolve(scene, of)
         if target.either and (said.no or len(ref.ids) > 1 or ref.each):
             raise Unclear  # on none of them, or not on one; all on one, or some on each
-        if target.fresh and target.kind == "block" and (ref.each or len(ref.ids) > len(target.ids)):
+        named = isinstance(of, Noun) and of.det == "the" and not of.many
+        if target.fresh and not named and target.kind == "block" and (ref.each or len(ref.ids) > len(target.ids)):
             raise Unclear  # one for each, or one for all
         place(scene, ref, target, said)
 

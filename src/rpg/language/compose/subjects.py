@@ -45,9 +45,9 @@ def check_subject(scene: Scene, clause: Clause, ref: Ref) -> None:
         raise Unclear  # these may form what was told ahead
 
 
-def there_is(scene: Scene, ref: Ref) -> None:
+def there_is(scene: Scene, ref: Ref, mood: str) -> None:
     """Blocks that are told of by themselves are those that the rest of the text is about."""
-    if ref.kind == "patch":
+    if ref.kind == "patch" and mood == "there":
         return
     if not ref.fresh or ref.kind not in {"block", "figure"}:
         raise Unclear

@@ -48,6 +48,8 @@ _LINED = (
     "in a line from left to right", "from left to right", "left to right",
 )  # fmt: skip
 _STACK = frozenset({"stack", "pile"})
+_PILED_AT = frozenset({"on", "in", "off", "under", "region", "top", "table"})
+"""Where one may stack things; what is stacked beside something, or between, need not stand on the table."""
 _LINE = Noun(det="a", noun="line")
 _INTO = ("as", "in", "into", "in the shape of", "out as")
 _THERE = ("there is", "there are", "you have", "we have", "i have", "here is", "here are")
@@ -167,7 +169,7 @@ class Reader(Verbs):
         if verb in _PUT or verb in _BUILD:
             for what, end in self.phrase(start):
                 for said, stop in self.predicates(end):
-                    if isinstance(said[0], Place):
+                    if isinstance(said[0], Place) and (verb not in _STACK or said[0].relation in _PILED_AT):
                         if verb in _STACK and several(what):
                             said = (Made(TOWER), *said)
                         found.append((Clause(what, said, "put"), stop))
@@ -243,6 +245,7 @@ class Reader(Verbs):
                 found.append((Clause(what, (), "build"), built))
             for aside, start in ((None, stop), *self._aside(stop), *self.last_at(what, stop)):
                 mood = "must" if self.past_any(start, *AUX, "not") else "so"
+                mood = "end" if self.past_any(self.past_any(start, *AUX) or start, "end up", "ends up") else mood
                 mood = "may" if self.text(start) in {"may", "can"} and self.text(start + 1) != "not" else mood
                 found += [(Clause(what, said, mood, aside), end) for said, end in self.verbs(start)]
         return found

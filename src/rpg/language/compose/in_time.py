@@ -22,8 +22,12 @@ def check_in_time(way: Sequence[Clause]) -> None:
         told = bool(clause.predicates) or isinstance(clause.subject, Chain)
         if clause.mood == "there":
             _check_there(clause, told=told, alone=len(way) == 1, ahead=n < last)
+        # how things look is so all the time
         looks = bool(clause.predicates) and all(isinstance(said, Looks) for said in clause.predicates)
-        if n < last and told and clause.mood in {"so", ""} and not looks:  # how things look is so all the time
+        ends = any(behind.mood == "end" for behind in way[n + 1 :])
+        if (
+            (n < last or ends) and told and clause.mood in {"so", ""} and not looks
+        ):  # how things look is so all the time
             raise Unclear
         if clause.mood == "so" and asks and isinstance(clause.subject, Noun) and clause.subject.det == "a":
             raise Unclear

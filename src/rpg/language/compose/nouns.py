@@ -226,6 +226,8 @@ def _others(scene: Scene, noun: Noun) -> Ref:
         raise Unclear
     if not noun.count and noun.many != (len(left) > 1):
         raise Unclear
+    if scene.instead and scene.patches and not noun.noun:
+        raise Unclear  # the other block, or the other patch
     if noun.color and any(scene.blocks[n].color != noun.color for n in left):
         raise Unclear
     return _take(scene, left)

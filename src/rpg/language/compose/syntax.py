@@ -161,8 +161,8 @@ class Clause:
     """What is said of something; no predicate: there is such a thing, or it is to be built.
 
     `mood`: "put" and "build" are commands, "so" says that it is so, "must" that it has to be, "there" what there is,
-    "start" what is so then. `aside`: what is told between the subject and its verb. `first`, `later`: "first", "then".
-    `other`: what else may be so instead.
+    "start" and "end" what is so then, "may" what is allowed. `aside`: what is told between the subject and its verb.
+    `first`, `later`: "first", "then". `other`: what else may be so instead.
     """
 
     subject: Phrase

@@ -5,6 +5,8 @@ BIN := $(VENV)/bin
 READY := $(VENV)/.rpg-installed
 # Tests start rpg hundreds of times: without the compiled modules each start would compile all of them anew.
 unexport PYTHONDONTWRITEBYTECODE
+# mypy shares its work among all cores.
+export MYPY_NUM_WORKERS ?= auto
 INSTRUCTION ?= Stack two green blocks on the blue patch and spell the word CAT in front of it
 
 .DEFAULT_GOAL := help

@@ -12,17 +12,19 @@ from rpg.cli import SELDOM
 
 HERE = Path(__file__).parent
 LONG = (
-    "steer/test_sessions.py",
-    "steer/test_kills.py",
     "blocks/test_random_goals.py",
+    "steer/test_sessions.py",
     "corpus/test_corpus.py",
+    "steer/test_kills.py",
     "project/test_readme.py",
-    "steer/test_processes.py",
+    "language/test_one_of_many_words.py",
+    "cli/test_errors.py",
     "cli/test_processes.py",
+    "batch/test_processes.py",
+    "steer/test_processes.py",
     "batch/test_ci_examples.py",
-    "corpus/test_framed.py",
 )
-"""Files that take a minute or more, the longest first."""
+"""Files that take half a minute or more, the longest first."""
 
 gc.set_threshold(SELDOM)
 

@@ -37,7 +37,7 @@ def test_killed_compiles_leave_a_sound_workspace(compiled: Path, tmp_path: Path)
     rng = random.Random(7)
     tasks = tmp_path / "tasks"
     finished = set()
-    for attempt in range(int(os.environ.get("RPG_KILLS", "12"))):
+    for attempt in range(int(os.environ.get("RPG_KILLS", "6"))):
         process = compile_in_process(source(compiled, tmp_path, f"attempt {attempt}"), tasks)
         if attempt:
             time.sleep(0.3 + rng.uniform(0.0, 1.0))

@@ -7,7 +7,8 @@ import re
 import pytest
 
 from rpg.language.grammar.rows import formal
-from rpg.language.grammar.rows.turned import Turns, needed
+from rpg.language.grammar.rows.turned import Turns
+from rpg.language.needs import needed
 from rpg.language.tokens import tokenize
 from tests.corpus.entries import load
 
@@ -23,6 +24,12 @@ from tests.corpus.entries import load
 )  # fmt: skip
 def test_what_a_row_needs(pattern: str, parts: list[set[str]]) -> None:
     assert sorted(map(sorted, needed(pattern))) == sorted(map(sorted, parts))
+
+
+def test_brackets_that_are_too_deep_are_told() -> None:
+    assert needed("(" * 16 + "a" + ")" * 16) == [{"a"}]
+    with pytest.raises(ValueError, match="too deep"):
+        needed("(" * 17 + "a" + ")" * 17)
 
 
 @pytest.mark.parametrize("turns", [formal.AT_ONCE, formal.UNREAD])

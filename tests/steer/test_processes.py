@@ -16,7 +16,7 @@ from rpg.pipeline import compile_instruction
 from rpg.publishing import publish
 from rpg.store import Family, Workspace, Written
 
-KILLS = 12
+KILLS = 6
 """How often a steering process is killed."""
 
 

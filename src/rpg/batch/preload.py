@@ -1,7 +1,7 @@
 """Imported once by the process that workers are forked from: what every entry needs, without OpenGL.
 
-What is imported is there for good: the garbage collector need never look at it again, nor copy, by touching them, the
-pages that workers share.
+What is imported, and what the first sentence makes for all others, is there for good: the garbage collector need never
+look at it, nor copy, by touching them, the pages that workers share.
 """
 
 import gc
@@ -20,9 +20,12 @@ MODULES = (
     "rpg.upgrade",
 )
 
+gc.disable()
 give_back()
 load_mujoco()
 for module in MODULES:
     import_module(module)
+import_module("rpg.passes.schema.frontend").BuiltinFrontEnd().read("Put the red block on the blue block")
+gc.enable()
 gc.collect()
 gc.freeze()

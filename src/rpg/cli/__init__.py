@@ -5,7 +5,7 @@ from __future__ import annotations
 import gc
 import sys
 
-SELDOM = 50_000
+SELDOM = 200_000
 """The garbage collector looks for what can be let go after as many new objects. What is made at a start is kept, and
 to look through it after every few hundred would take a tenth of the time of a short command."""
 

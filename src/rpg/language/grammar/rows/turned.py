@@ -7,9 +7,9 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from functools import cached_property, lru_cache
 
-from rpg.language.grammar.rows.needs import needed
 from rpg.language.grammar.rows.parting import STOPS
 from rpg.language.lexicon import COMMANDS
+from rpg.language.needs import needed
 from rpg.language.tokens import Token
 
 Turn = tuple[str, str]

@@ -28,7 +28,7 @@ class Patterns:
 
     def matches(self, p: Parser, i: int) -> Iterable[int]:
         """Positions after the patterns that stand at i, nearest first."""
-        if not p.stands(i, self.firsts):
+        if not p.stands(i, self.rows.firsts):
             return []
         found = []
         step, j = self.rows.begin.after(p.words[i]), i + 1

@@ -54,7 +54,7 @@ UNIDIOMATIC_AT_ONCE: tuple[Turn, ...] = (
      "another))?(?! with\\b)", "swap places"),
     (f"\\b(leave|keep|have) gap(?: of)? ((?:about |exactly )?{LENGTH})", "{1} a gap of {2}"),
     ("\\b(is|are|goes|comes|be) (?:at )?(?:the )?most (top|bottom|left|right)(?=$| ,| and)", "{1} at the {2}"),
-    ("\\bo[nf] (?:the |all )?(?:(?:four|4) )?corners of the table\\b", "in the corners of the table"),
+    ("\\bon (?:the |all )?(?:(?:four|4) )?corners of the table\\b", "in the corners of the table"),
     ("\\bone on top of other\\b", "one on top of the other"),
     ("\\b(?:just )?(?:slightly|a little|a bit|a little bit|a tiny bit) (?=(?:(?:to|on) the )?(?:left|right) of|in "
      "front of|behind)", ""),

@@ -59,6 +59,11 @@ UNIDIOMATIC_AT_ONCE: tuple[Turn, ...] = (
     ("\\b(?:just )?(?:slightly|a little|a bit|a little bit|a tiny bit) (?=(?:(?:to|on) the )?(?:left|right) of|in "
      "front of|behind)", ""),
     ("\\bwhich ever\\b", "whichever"),
+    ("(?: ,| but| and)+ no two (?:of )?(?:the )?same colors?$", " , no two of the same color"),
+    (" now , should be (?:the )?other way (?:a)?round$", " now , it should be the other way around"),
+    (f"^((?:.* )?(?:stack|pile)\\b.* ,) ({THING}) (bottom|top)$", "{1} {2} at the {3}"),
+    (f"^({COLOR}) ({CUBE}s) , there are ({MANY}) of (?:them|these) , (stack|line up|group) (?:all|them|all of them)$",
+     "{4} the {3} {1} {2}"),
     ("\\bin the 4 corners\\b", "in the four corners"),
     (f"\\b(one (?:{CUBE}|one)?) ?(?=(?:each|every) corner$)", "{1} in "),
     (" , so (?=(?:counted|read|seen|told|listed) from )", " , "),

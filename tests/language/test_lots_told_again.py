@@ -6,8 +6,8 @@ import pytest
 from tests.language.meaning import code_of, means
 
 _ROWS = (
-    "There are two red blocks and four white blocks. The two red blocks must be in a row. The four white blocks must be "
-    "in a row. The two red blocks must be in front of the four white blocks."
+    "There are two red blocks and four white blocks. The two red blocks must be in a row. The four white blocks must "
+    "be in a row. The two red blocks must be in front of the four white blocks."
 )
 _EITHER = (
     "There are a red block and a blue block. There are a gray patch and a blue patch. First, the red block must be on "

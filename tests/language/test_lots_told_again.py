@@ -5,6 +5,10 @@ import pytest
 
 from tests.language.meaning import code_of, means
 
+_ROWS = (
+    "There are two red blocks and four white blocks. The two red blocks must be in a row. The four white blocks must "
+    "be in a row. The two red blocks must be in front of the four white blocks."
+)
 _EITHER = (
     "There are a red block and a blue block. There are a gray patch and a blue patch. First, the red block must be on "
     "the gray patch or the red block must be on the blue patch, then the blue block must be on the blue patch or the "
@@ -34,6 +38,8 @@ _EITHER = (
             "Four red blocks, three red blocks in a row",
             "There are four red blocks. Three red blocks must be in a row.",
         ),
+        ("there are 2 red and 4 white cubes, make 2 rows, red in front", _ROWS),
+        ("there are 2 red and 4 white cubes, make 2 rows, red in front and white behind", _ROWS),
         ("There are two patches. First put the red block on one and then the blue block on the other.", _EITHER),
         ("First put a red block on one of the two patches, then a blue block on the other.", _EITHER),
         (
@@ -58,6 +64,8 @@ def test_each_lot_is_told_once(text: str, meaning: str) -> None:
         ("six red blocks on the table, two rows of three", "ambiguous"),
         ("There is a row of three red blocks. Put the left block of the row onto the patch.", "ambiguous"),
         ("spell ON in a column", "ambiguous"),
+        ("there are 2 red and 4 white cubes, make 2 rows of three, red in front and white behind", "count-mismatch"),
+        ("There are two red blocks. Build a red tower of three.", "count-mismatch"),
         ("There are three patches. Put the red block on one of the patches and the blue block on the other.",
          "ambiguous"),
     ],

@@ -15,7 +15,7 @@ from rpg.language.tokens import Token
 
 _TYPED = {
     "shld": "should", "shud": "should", "shd": "should", "wud": "would", "wld": "would",
-    "cud": "could", "cld": "could", "ya": "you", "yall": "you", "da": "the", "dis": "this", "dat": "that",
+    "cud": "could", "cld": "could", "ya": "you", "yall": "you", "da": "the", "de": "the", "dis": "this", "dat": "that",
     "dem": "them", "cuz": "because", "bcs": "because", "bcuz": "because", "nxt": "next", "bhnd": "behind",
     "sry": "sorry", "tho": "though", "frm": "from", "evry": "every", "othr": "other", "wth": "with",
     "lil": "little", "smth": "something", "blu": "blue", "abv": "above", "blw": "below", "hv": "have", "nd": "and",

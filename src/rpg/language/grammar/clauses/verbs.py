@@ -53,6 +53,7 @@ from rpg.language.meaning import (
 _PARTICLES = {"place": ("up", "out", "down", "together", "over", "back"), "pick": ("up", "out", "off", "away"),
               "build": ("up", "out", "together"), "stack": ("up", "together"), "unstack": ("down", "apart"),
               "arrange": ("up", "out", "together", "apart"), "sort": ("up", "out", "together"),
+              "use": ("up", "out", "down", "together", "over", "around", "back", "off", "away", "aside"),
               "swap": ("over", "around", "round"), "turn": ("over", "around", "up", "down"),
               "keep": ("up", "down", "together", "over", "around", "apart", "back")}  # fmt: skip
 """What may follow a verb without changing what it says."""

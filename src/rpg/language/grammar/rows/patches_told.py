@@ -198,6 +198,8 @@ _SOME = f"(?:{MANY}|an?|the|nothing)"
 _ON_THE_OTHER = f"(.*?\\b(?:on|onto|in|into) the other)(?: one| of them| {PATCH})?(?= [.,;!]|$)"
 _NO_BLOCKS = "(?:(?!blocks|cubes|bricks|towers|stacks)[^ ]+ )*?"
 ONE_AND_THE_OTHER: tuple[Turn, ...] = (
+    (f"^(.*\\b(?:on|onto|in|into|to) (?:the |an? )?({PATCH})\\b.* [.,;]) (?:the )?\\2 : ({COLOR})(?= [.,;!]|$)",
+     "{1} the {2} is {3}"),
     (f"^(.*\\b(?:two|2) {PATCHES} [.,:;] {_NO_BLOCKS}(?:on|onto|in|into) one)(?: of them| of (?:the )?(?:two |2 )?"
      f"{PATCHES}| {PATCH}) {_ON_THE_OTHER}", "{1} {2}"),
     (f"^(.*\\b(?:on|onto|in|into)) one of (?:the )?(?:two|2) {PATCHES} {_ON_THE_OTHER}", "{1} one patch {2} patch"),

@@ -3,9 +3,9 @@ my right", "starting at the left with the biggest", "the one beside the other", 
 
 from __future__ import annotations
 
-from rpg.language.grammar.rows.said_short import PLACE, THING
+from rpg.language.grammar.rows.said_short import LABEL, PLACE, THING
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import AND, COLOR, CUBE, END, LINE, MANY, MUST, PATCH, PATCHES
+from rpg.language.grammar.rows.vocabulary import AND, COLOR, CUBE, END, LENGTH, LINE, MANY, MUST, PATCH, PATCHES
 
 _WHO = "(?:my|your|our|his|her|(?:the |a )?(?:viewer|observer|robot|camera|reader|onlooker|spectator) 's)"
 _FIRST = "(biggest|largest|highest|smallest|lowest)(?: one| number| digit)?"
@@ -38,6 +38,7 @@ UNIDIOMATIC_AT_ONCE: tuple[Turn, ...] = (
     (f" , and ({THING}) , it (?=(?:{MUST}|is|goes|stands|lies|sits|belongs) )", " , and {1} "),
     # one thing and then the next: behind what is done, "after" with a bare verb is "after that"
     (f" , (?:and )?after (?={_DOES} )", " , then "),
+    (f"^after ,? ?(?={_DOES} |{THING} (?:goes |comes )?{PLACE} {THING}$)", "then "),
     (f"^(first .+?) , (?:and )?after (?={THING} (?:goes |comes )?{PLACE} {THING}$)", "{1} , then "),
     (f"\\bthere is (?=(?!one\\b|1\\b){MANY}(?:$| of (?:them|each)\\b| {COLOR}\\b))", "there are "),
     # which block of different sizes it is
@@ -46,6 +47,32 @@ UNIDIOMATIC_AT_ONCE: tuple[Turn, ...] = (
     # what is asked of the tower that is there
     ("^(?:the )?(top|bottom) (block|cube|one) (?:goes|comes|moves) to the (?!\\1)(bottom|top)(?=$| ,)",
      "put the {1} {2} at the {3} of the tower"),
+    # places, without the small words that go with them
+    ("\\b(?:to |on |at )?the (left|right)(?: side)? or (?:to |on |at )?the (left|right)(?: side)? of\\b",
+     "{1} or {2} of"),
+    ("\\b(?:change|exchange|switch|swap|trade) (?:their )?(?:places?|positions?|spots)(?: with (?:each other|one "
+     "another))?(?! with\\b)", "swap places"),
+    (f"\\b(leave|keep|have) gap(?: of)? ((?:about |exactly )?{LENGTH})", "{1} a gap of {2}"),
+    ("\\b(is|are|goes|comes|be) (?:at )?(?:the )?most (top|bottom|left|right)(?=$| ,| and)", "{1} at the {2}"),
+    ("\\bon (?:the |all )?(?:(?:four|4) )?corners of the table\\b", "in the corners of the table"),
+    ("\\bone on top of other\\b", "one on top of the other"),
+    ("\\b(?:just )?(?:slightly|a little|a bit|a little bit|a tiny bit) (?=(?:(?:to|on) the )?(?:left|right) of|in "
+     "front of|behind)", ""),
+    ("\\bwhich ever\\b", "whichever"),
+    ("(?: ,| but| and)+ no two (?:of )?(?:the )?same colors?$", " , no two of the same color"),
+    (" now , should be (?:the )?other way (?:a)?round$", " now , it should be the other way around"),
+    (f"^((?:.* )?(?:stack|pile)\\b.* ,) ({THING}) (bottom|top)$", "{1} {2} at the {3}"),
+    (f"^({COLOR}) ({CUBE}s) , there are ({MANY}) of (?:them|these) , (stack|line up|group) (?:all|them|all of them)$",
+     "{4} the {3} {1} {2}"),
+    ("\\bin the 4 corners\\b", "in the four corners"),
+    (f"\\b(one (?:{CUBE}|one)?) ?(?=(?:each|every) corner$)", "{1} in "),
+    (" , so (?=(?:counted|read|seen|told|listed) from )", " , "),
+    (f" , (?:it|this|that) is an? ({COLOR}) ({PATCH})$", " . the {2} is {1}"),
+    (f"^(?:i |we )?need (?={MANY} {COLOR} {MANY} {COLOR})", ""),
+    # the tower that is taken apart
+    (f"^(unstack|dismantle|take apart|disassemble) (?!.*\\b(?:{LINE}|pile|{PATCH}|table)\\b)({THING}(?: "
+     f"(?:on|on top of) {THING})+)(?=$| ,| and)", "{1} the tower of {2}"),
+    (f"\\bthe (tower|stack|pile) (?=a on {LABEL}(?:$| ))", "the {1} of "),
     # what there is
     (f"^one ({PATCH})(?: is)? ({COLOR}) ,(?: and)? {_OF_TWO}(?: {PATCH}| one)?(?: is)? ({COLOR}) , (?={_DOES} )",
      "there is a {2} {1} and a {3} {1} . "),

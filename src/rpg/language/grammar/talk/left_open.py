@@ -167,7 +167,7 @@ FREE = (
       for rest in ("rest", "others", "other ones", "other blocks")),
     "any corner", "whichever corner", "which corner does not matter", "no matter which corner",
     "not necessarily directly", "not necessarily next to it", "not necessarily adjacent",
-    "that is all", "that is it", "i think", "nothing else matters", "nothing else really matters",
+    "that is all", "that is it", "finish", "i think", "nothing else matters", "nothing else really matters",
     "all good", "otherwise it does not count", "otherwise it is not done", "otherwise you fail",
     *(
         f"{lead}{which} {hue}{free}"

@@ -23,7 +23,6 @@ from rpg.language.meaning import (
     Noun,
     Pronoun,
     Structure,
-    TableTop,
     That,
     Using,
     replace,
@@ -37,6 +36,7 @@ from rpg.passes.schema.resolve.clauses.taken_apart import pile_of
 from rpg.passes.schema.resolve.clauses.throughout import held_throughout
 from rpg.passes.schema.resolve.clauses.whose_turn import is_none, neither, turned_of, unturned
 from rpg.passes.schema.resolve.goals.logic import conj
+from rpg.passes.schema.resolve.places.bare_table import is_table, lies_on
 from rpg.passes.schema.resolve.places.moved import put_there
 from rpg.passes.schema.resolve.places.placing import absolutes
 from rpg.passes.schema.resolve.places.relations import place
@@ -240,7 +240,7 @@ def _laid_on(spec: Spec) -> bool:
 def _unlifted(theme: Ref, spec: Spec, clause: Clause) -> Goals:
     """ "never lift the red block off the table": it lies there all the time."""
     places = spec.places
-    table = len(places) == 1 and isinstance(places[0], Loc) and isinstance(places[0].landmark, TableTop)
+    table = len(places) == 1 and is_table(places[0])
     if not table or not theme.names or theme.quant is not None:
         raise refuse("no-goal", "picking a block up leaves nothing to check", clause.span, "say 'do not move ...'")
     spec.places = []
@@ -278,21 +278,22 @@ def remove(clause: Clause, spec: Spec, scene: Scene, scope: Scope, theme: Ref | 
     if theme.table:
         raise refuse("out-of-reach", "blocks cannot leave the table", clause.span, "say where they should go")
     sources: list[Meaning] = [p for p in spec.places if isinstance(p, Loc) and p.rel in ("off", "apart")]
-    sources = sources or [p for p in spec.places if clause.lemma == "remove" and _lies_on(p)]
-    rest = [p for p in spec.places if p not in sources]
+    sources = sources or [p for p in spec.places if clause.lemma == "remove" and lies_on(p)]
+    undone = clause.verb == "unstack" and not clause.negated  # onto the table, where else
+    rest = [p for p in spec.places if p not in sources and not (undone and is_table(p))]
     landmarks = [p.landmark for p in sources if isinstance(p, Loc)] + [u.members for u in spec.usings]
     spec.places, spec.usings = rest, []
     goals: Goals = []
     if theme.quant is not None and landmarks and not rest:
         return _so_many_off(theme, [landmark for landmark in landmarks if landmark], scene, scope, clause.span)
-    for landmark in landmarks:
-        if landmark is None:
-            continue
+    for landmark in filter(None, landmarks):
         mark = refer(landmark, scene, replace(scope, role="landmark"))
         if mark.matching:
             raise off_which(clause.span)
         goals += _off(theme, mark, scene, clause.span)
     if rest:
+        if undone and not landmarks and len(theme.names) > 1:
+            raise refuse("ambiguous", "is it there, or do its blocks go there?", clause.span, "say it in two sentences")
         for item in rest:
             goals += place(theme, item, scene, scope, clause.span)
         spec.places = []
@@ -330,12 +331,6 @@ def remove(clause: Clause, spec: Spec, scene: Scene, scope: Scope, theme: Ref | 
 
 
 _AWAY = ("remove", "clear", "empty")
-
-
-def _lies_on(place: Meaning) -> bool:
-    """ "(Remove the block) on top of the red block": where it lies."""
-    on_it = isinstance(place, Loc) and place.rel == "on" and not place.negated
-    return on_it and not isinstance(getattr(place, "landmark", None), TableTop)
 
 
 def _off_its_patch(theme: Ref, scene: Scene, span: Span) -> Goals:

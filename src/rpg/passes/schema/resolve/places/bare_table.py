@@ -10,7 +10,7 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.node import members
 from rpg.ir.walk import atoms, children, names, rebuild
-from rpg.language.meaning import Loc, TableTop
+from rpg.language.meaning import Loc, Meaning, TableTop
 from rpg.passes.schema.resolve.goals.conflicts import undoes
 from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.things.operands import base_of, foot, spread
@@ -18,6 +18,16 @@ from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
 
 Marks = dict[str, dict[str, None]]
 """The patches on which a block was before."""
+
+
+def is_table(place: Meaning) -> bool:
+    """ "On the table", "off the table"."""
+    return isinstance(place, Loc) and isinstance(place.landmark, TableTop)
+
+
+def lies_on(place: Meaning) -> bool:
+    """ "(Remove the block) on top of the red block": where it lies."""
+    return isinstance(place, Loc) and place.rel == "on" and not place.negated and not is_table(place)
 
 
 def on_the_table(theme: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from rpg.language.meaning import Absolute, At, Coord, Noun, OrderBy, Places, Structure
+from collections.abc import Sequence
+
+from rpg.language.meaning import Absolute, At, Coord, Noun, OrderBy, Places, Structure, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.structures.sharing import Look, in_turn
 from rpg.passes.schema.resolve.things.world import refuse
@@ -45,8 +47,9 @@ def beside_others(item: Absolute) -> bool:
     return place is not None and place.side in ("outer", "inner")
 
 
-def told_looks(spec: Spec, count: int, kind: str = "") -> tuple[list[Look], str | None]:
-    """What is said of each, and the axis along which they are then told apart. `kind`: what they are."""
+def told_looks(spec: Spec, count: int, kind: str = "", colors: Sequence[str] = ()) -> tuple[list[Look], str | None]:
+    """What is said of each, and the axis along which they are then told apart. `kind`: what they are; `colors`: of the
+    blocks that there are, of which one is left for the last one: "three red and three white, the red row in front"."""
     found: list[Look] = [None] * count
     if (order := sided(spec)) is not None:
         return _in_order(order, spec, count)
@@ -57,17 +60,21 @@ def told_looks(spec: Spec, count: int, kind: str = "") -> tuple[list[Look], str 
     said.sort(key=lambda told: told[1].side == "rest")
     for number, (item, place) in enumerate(said):
         theme = in_turn(item.theme)
-        left = [n for n, look in enumerate(found) if look is None]
-        these = [number] if place.side == "one" else _indices(place, count, left)
+        free = [n for n, look in enumerate(found) if look is None]
+        these = [number] if place.side == "one" else _indices(place, count, free)
         alike = isinstance(theme, Noun) and theme.amount is None and not theme.traits.labels
         if (place.index or 0) > count:
             raise refuse("misplaced", f"there are {count} of them", item.span, "say which of these this is")
-        if not these or not {*these} <= {*left} or not isinstance(theme, Noun | Coord | Structure):
+        if not these or not {*these} <= {*free} or not isinstance(theme, Noun | Coord | Structure):
             raise refuse("count-mismatch", f"there are {count} of them", item.span, "say one thing of each")
         if len(these) > 1 and not alike:
             raise refuse("ambiguous", "of all of these, or of each?", item.span, "say one thing of each")
         for index in these:
             found[index] = theme
+    looks = [look for look in found if isinstance(look, Noun) and len(look.traits.colors) == 1]
+    left = [color for color in colors if all(look.traits.colors != (color,) for look in looks)]
+    if said and len(looks) == count - 1 == len(colors) - len(left) and len(left) == 1:
+        found = [look or replace(looks[0], traits=Traits(colors=(left[0],))) for look in found]
     if said and None in found:
         raise refuse("ambiguous", "it is not said of each of them", said[0][0].span, "say one thing of each")
     return found, _axis(said, kind)

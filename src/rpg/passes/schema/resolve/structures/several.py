@@ -34,6 +34,7 @@ from rpg.passes.schema.resolve.structures.sharing import (
     lots_of,
     named_lots,
     of_all_of_them,
+    of_its_color,
     shared_out,
 )
 from rpg.passes.schema.resolve.things.from_stock import several_from_stock
@@ -125,7 +126,7 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
     shape, theme = several_from_stock(shape, count, spec, theme, scene)
     for place in filter(None, map(whole, spec.absolutes)):
         own_unit(shape, place)
-    looks, axis = told_looks(spec, count, shape.kind)
+    looks, axis = _looks(shape, spec, theme, count, scene)
     shape = as_long_as_listed(shared_out(shape, looks, spec), looks, scene)
     shape, theme = of_all_of_them(shape, looks, spec, theme, scene)
     sized = bool(shape.sizes or shape.dims or amount_of(shape.members))
@@ -167,6 +168,14 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
     if (grid := too_alike(goals, scene, shape.span)) is not None:
         return built, [grid]
     return built, goals + not_one_line(goals, on_the_table(shape, scene))
+
+
+def _looks(shape: Structure, spec: Spec, theme: Ref | None, count: int, scene: Scene) -> tuple[list[Look], str | None]:
+    """What is said of each, with how many blocks of its colour there are, and the axis along which they lie."""
+    there = declared(Traits(), scene) if theme is None else ()
+    known = dict.fromkeys(scene.things[n].color for n in there or (theme.names if theme is not None else ()))
+    looks, axis = told_looks(spec, count, shape.kind, list(filter(None, known)))
+    return of_its_color(shape, looks, there, scene), axis
 
 
 def _as_long_as_told(built: list[Built], own: Spec, shape: Structure) -> None:

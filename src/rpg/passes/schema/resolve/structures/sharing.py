@@ -66,6 +66,21 @@ def _colored(look: Look) -> bool:
     return isinstance(look, Noun) and look.amount is None and look.traits == Traits(colors=look.traits.colors[:1])
 
 
+def of_its_color(shape: Structure, looks: list[Look], there: Sequence[str], scene: Scene) -> list[Look]:
+    """ "There are two red and four white blocks. Make two rows, red in front": each line has all of its colour."""
+    if shape.kind not in _LINES or shape.sizes or shape.dims or shape.members or not all(map(_colored, looks)):
+        return looks
+    own = [x for x in looks if isinstance(x, Noun)]
+    many = [sum(scene.things[n].color in x.traits.colors for n in there) for x in own]
+    if min(many) < _FEWEST or len({x.traits.colors for x in own}) < len(own):
+        return looks
+    return [replace(x, amount=Amount(n, n)) for x, n in zip(own, many, strict=True)]
+
+
+_FEWEST = 2
+"""So many blocks are a line."""
+
+
 def named_lots(theme: Ref | None, looks: Sequence[Look], scene: Scene) -> list[Ref | None]:
     """Which of the blocks that were named each line has, where it is told by their labels."""
     if theme is None or not all(isinstance(look, Noun) and look.traits.labels for look in looks):

@@ -343,7 +343,7 @@ def declared(traits: Traits, scene: Scene) -> tuple[str, ...]:
 def some_of(there: tuple[str, ...], count: int, shape: Structure, scene: Scene) -> tuple[str, ...]:
     """So many of the blocks that there are, where it does not matter which; they are used up."""
     things = [scene.things[n] for n in there]
-    if there and len(there) < count and shape.traits == Traits():
+    if there and len(there) < count and shape.traits == Traits(colors=shape.traits.colors[:1]):
         raise refuse("count-mismatch", f"this takes {count} blocks, but only {len(there)} are there for it", shape.span,
                      "say of which blocks it is built", needed=count, there=len(there))  # fmt: skip
     if there and len({(t.color, t.label, t.kind, t.size, t.edge) for t in things}) > 1:

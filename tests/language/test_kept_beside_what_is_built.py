@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.language.meaning import code_of, means, start_and_end
+from tests.language.meaning import assert_means, means, start_and_end
 
 
 @pytest.mark.parametrize(
@@ -40,6 +40,9 @@ def test_elsewhere_alone_is_moved() -> None:
 
 
 def test_put_on_a_step_is_no_step() -> None:
-    assert code_of(
-        "Build a staircase of gray blocks, one, two and three high, and put the red block on its lowest step."
+    text = "Build a staircase of gray blocks, one, two and three high, and put the red block on its lowest step."
+    hold, miss = (
+        ["gray^red gray^gray gray^gray^gray"],
+        ["gray gray^gray gray^gray^gray^red", "red gray^gray gray^gray^gray"],
     )
+    assert_means(text, {"assets": {"gray": 6, "red": 1}, "hold": hold, "miss": miss})

@@ -53,6 +53,16 @@ CASES: dict[str, dict[str, Any]] = {
             "yellow yellow^purple^purple yellow yellow yellow",
         ],
     },
+    "In a 2x2 square the far blocks are green, the near ones are yellow, and on the far left one lies a red block.": {
+        "assets": {"green": 2, "yellow": 2, "red": 1},
+        "hold": ["green^red green | yellow yellow"],
+        "miss": ["green green^red | yellow yellow", "yellow^red yellow | green green"],
+    },
+    "Put red blocks on the first and the last letter of the word HOME.": {
+        "assets": {"H": 1, "O": 1, "M": 1, "E": 1, "red": 2},
+        "hold": ["H^red O M E^red"],
+        "miss": ["H^red O^red M E", "H O M E^red^red", "E^red M O H^red"],
+    },
 }
 
 
@@ -82,6 +92,18 @@ def test_figures(text: str) -> None:
             "highest one.",
             "on the tower of orange block 6, orange block 7, orange block 8 and orange block 9.",
         ),
+        (
+            "Leave the tower of two red blocks where it is and build a row of three blue blocks behind it.",
+            "At the start, red block 1 and red block 2 must form a tower of exactly two",
+        ),
+        (
+            "Put a red block on one of the corners of a 2x3 grid of white blocks.",
+            "or the red block must be on white block 6",
+        ),
+        (
+            "The red tower of two has a green block in front of it.",
+            "in front of the tower of red block 1 and red block 2",
+        ),
         ("Place a red block behind the plus sign of the equation 2+2=4.", "The red block must be behind the + block."),
     ],
 )
@@ -99,6 +121,7 @@ def test_told_again(text: str, meaning: str) -> None:
         "build a square 3 wide and 4 deep",
         "5 blocks, V shape",  # of these, or of further ones
         "Build a U of seven green blocks with a red block on each end.",  # on top of it, or in line with it
+        "Keep the row of A, B and C as it is and put a red block on its left block.",  # which one is at the left
         "Put the digits 1 to 5 in a row and a red block on the first one.",  # in which order
     ],
 )

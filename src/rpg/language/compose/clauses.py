@@ -28,7 +28,8 @@ from rpg.language.compose.words import Ways, remembered
 _LEADS = (
     "i want you to", "i want to see", "i would like you to", "i would like to see", "i would like", "i should like",
     "i want", "i need", "we need", "we want", "i would love", "you have", "you got", "we have", "i have", "there is",
-    "there are", "there should be", "there must be", "give me", "gimme", "let us have", "let me see", "let there be",
+    "there are", "there is to be", "there are to be",
+    "there should be", "there must be", "give me", "gimme", "let us have", "let me see", "let there be",
     "can you", "could you", "would you", "will you", "show me", "get me", "let us", "let", "try to", "the goal is to",
     "the task is to", "you should", "hey", "yo", "hi", "hello", "goal :", "task :", "goal", "make sure that",
     "make sure", "see to it that", "make it so that", "need", "at the end", "in the end",
@@ -64,6 +65,7 @@ _FRONTED = (",", "is", "are", "goes", "go", "stands", "stand", "there is", "ther
             "comes", "build", ", build")  # fmt: skip
 _SEPARATORS = (
     ", and then there is", ", and there is", ", and", ", but", ", while", ", with", ", plus", ", whereas", ", so that",
+    ", of which",
     "; and", ", leaving", ",", ";", ".", "!", "?", ":", "and", "but", "while", "plus", "with", "whereas", "so that",
 )  # fmt: skip
 
@@ -71,6 +73,7 @@ _WITH = frozenset({", with", "with", ", leaving", "so that", ", so that"})
 """Behind these stands what is so of a thing that is told of, not a further thing."""
 
 
+_STAY = Place("stay")
 _STOPS = frozenset({".", "!", "?", ",", ";"})
 
 
@@ -99,7 +102,7 @@ class Reader(Verbs):
             if end >= len(self.items):
                 yield Step(clause, end)
             for words in (*_SEPARATORS, ""):
-                if (start := self.past(end, words.split())) and (words or self.text(end) == "whose"):
+                if (start := self.past(end, words.split())) and (words or self.text(end) in {"whose", "without"}):
                     yield Step(clause, self._begin(start), said=words in _WITH, joined=words not in _STOPS)
             for words in _THEN:
                 if start := self.past_any(end, words):
@@ -138,6 +141,7 @@ class Reader(Verbs):
                 found += self._spelled(start + 1)
             found += self._statement(start)
             found += [(Clause(what, said, "there" if there else ""), end) for what, said, end in self._existing(start)]
+        found += self._left_alone(at)
         if either := self.past_any(at, "either"):
             for one, end in self.clause(either):
                 if one.predicates and one.other is None and (start := self.past_any(end, "or", ", or")):
@@ -146,6 +150,18 @@ class Reader(Verbs):
             found += [(Clause(what, (Bears(None),)), stop) for what, stop in self.phrase(end)]
         late = [(said, start) for said, end in found if (start := self.past_any(end, *_START)) and said.predicates]
         found += [(replace(said, mood="start"), end) for said, end in late]
+        return found
+
+    def _left_alone(self, at: int) -> Ways[Clause]:
+        """ "leave it where it is", "do not move it", "without moving it"."""
+        found: Ways[Clause] = []
+        if start := self.past_any(at, "leave", "keep", "leaving", "keeping"):
+            ends = [(what, self.past_any(stop, *STAYS)) for what, stop in self.phrase(start)]
+            found += [(Clause(what, (_STAY,), "put"), end) for what, end in ends if end]
+        if start := self.past_any(
+            at, "do not move", "do not touch", "never move", "without moving", "without touching"
+        ):
+            found += [(Clause(what, (_STAY,), "put"), end) for what, end in self.phrase(start)]
         return found
 
     def _leads(self, at: int) -> list[int]:
@@ -173,13 +189,11 @@ class Reader(Verbs):
                         if verb in _STACK and several(what):
                             said = (Made(TOWER), *said)
                         found.append((Clause(what, said, "put"), stop))
-        if verb == "leave":
-            for what, end in self.phrase(at + 1):
-                if stays := self.past_any(end, *STAYS):
-                    found.append((Clause(what, (Place("stay"),), "put"), stays))
         if (lined := self.past_any(at, "line up")) and not no:
             existing = [way for way in self._existing(lined) if not is_figure(way[0])]  # which way they face is open
             found += [(Clause(what, (Made(_LINE), *said), "build"), end) for what, said, end in existing]
+            rows = [(what, way) for what, end in self.phrase(lined) for way in self.ordered(_LINE, end)]
+            found += [(Clause(what, (Made(row),), "build"), end) for what, (row, end) in rows]
         if verb in _STACK and not no:
             for what, end in self.phrase(start):
                 for tower, stop in ((TOWER, end), *self.ordered(TOWER, end)):

@@ -80,6 +80,7 @@ class Contents(Series, ABC):
         """ "one red on blue", "one of three red blocks", "green on yellow"."""
         found: Ways[Phrase] = [(chain, end) for chain, end in self.single(at) if isinstance(chain, Chain)]
         start = at + (self.text(at) in {"a", "one"})
+        start += self.text(start) == "all" and start > at
         if (color := lexicon.COLOR.get(self.text(start))) and start > at:
             end = start + 1 + (self.text(start + 1) == "one")
             found.append((Noun(color=color, noun="block", many=True), end))

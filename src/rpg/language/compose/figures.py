@@ -289,9 +289,11 @@ def part(scene: Scene, noun: Noun, resolve: Resolve) -> Ref:
         said = tuple({"last": last, "first": first}.get(rank, rank) for rank in said) or ((first,) if noun.nth else ())
     ids = []
     for figure in figures:
-        inner = noun.many and not noun.count and said == ("middle",)
-        at = places(figure, said, noun.nth, len(figure.blocks) - 2 if inner else noun.count)
-        if figure.stage < 0 and scene.subject is not None:
+        count = noun.count or -noun.many
+        if noun.many and not noun.count and said == ("middle",) and not figure.size:
+            count = len(figure.blocks) - 2  # all but the outer ones
+        at = places(figure, said, noun.nth, count)
+        if scene.may_change(figure) and scene.subject is not None:
             raise Unclear  # what is put there is on the whole figure, or on what is left of it
         if noun.det == "other":
             if scene.place is None or scene.place[0] is not figure:
@@ -313,7 +315,8 @@ def part(scene: Scene, noun: Noun, resolve: Resolve) -> Ref:
     if noun.count and noun.count != len(ids):
         if noun.det in {"the", *ALL} or noun.bound or noun.count != 1:
             raise Unclear
-        ids = ids[:1]  # one of the ends, whichever
+        turned = figures[0].kind in {"row", "line"}  # either way round: one of the ends, whichever
+        ids = [ids[0 if turned else scene.choose(len(ids))]]
         if not scene.alike(figures[0].blocks) or figures[0].sided:
             raise Unclear
     return Ref("block", ids, each=noun.det == "each")

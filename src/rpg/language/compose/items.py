@@ -32,7 +32,8 @@ SYMBOL = {
 SYMBOL_KINDS = frozenset({*SYMBOL.values(), "even", "odd"})
 RANK = {
     "left": "left", "leftmost": "left", "right": "right", "rightmost": "right", "far": "far", "back": "far",
-    "rear": "far", "farther": "far", "near": "near", "nearer": "near", "front": "near", "closer": "near",
+    "rear": "far", "farther": "far", "nearest": "near", "farthest": "far", "furthest": "far",
+    "near": "near", "nearer": "near", "front": "near", "closer": "near",
     "top": "top", "topmost": "top", "upper": "top", "highest": "top", "bottom": "bottom", "lower": "bottom",
     "lowest": "bottom", "middle": "middle", "central": "middle", "center": "middle", "centre": "middle",
     "inner": "middle", "outer": "outer", "tall": "tall", "taller": "tall", "tallest": "tall", "higher": "tall",

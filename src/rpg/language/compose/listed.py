@@ -27,11 +27,11 @@ def face_each_other(scene: Scene, parts: Sequence[Phrase], resolve: Resolve) -> 
 def counted_alike(parts: Sequence[Phrase]) -> list[Phrase]:
     """ "the second and the fourth block from the left": what is said of the last one is said of all."""
     last = parts[-1]
-    if not isinstance(last, Noun) or not last.nth:
+    if not isinstance(last, Noun) or not (last.nth or last.ranks == ("last",)):
         return list(parts)
     bare = [isinstance(part, Noun) and part == Noun(part.det, nth=part.nth, noun="one") for part in parts]
     told = [
-        replace(last, nth=part.nth) if alike and isinstance(part, Noun) else part
+        replace(last, nth=part.nth, ranks=last.ranks if last.nth else ()) if alike and isinstance(part, Noun) else part
         for part, alike in zip(parts, bare, strict=True)
     ]
     new = isinstance(last.of, Noun) and last.of.det in {"a", ""}

@@ -11,6 +11,7 @@ from rpg.language.compose.items import FIGURE, RANK
 from rpg.language.compose.syntax import Noun
 from rpg.language.compose.words import Text
 
+_SHAPED = frozenset({"figure", "form", "arrangement", "structure", "shape"})
 LETTERS = frozenset({"l", "t", "v", "u"})
 _MEASURES = {"high": "high", "tall": "high", "wide": "wide", "long": "wide", "deep": "deep"}
 _ORDERS: dict[str, tuple[str, ...]] = {
@@ -23,7 +24,6 @@ _ALTERNATING = (
     "that alternate", "which alternate between", "of alternating",
 )  # fmt: skip
 _UPWARD = frozenset({"from the bottom up", "from bottom to top", "from bottom up", "bottom to top"})
-_ANY_ORDER = ("in any order", ", in any order", "in any order you like", "in whatever order")
 _WAYS: dict[str, tuple[str, ...]] = {
     "staircase": ("rising to", "going up to", "ascending to", "climbing to", "that rises to", "rising towards",
                   "going up towards", "which rises to", "leading up to"),
@@ -39,6 +39,8 @@ class Measures(Text):
     def figure_at(self, at: int) -> tuple[str, int]:
         """The kind of figure that words are, and where they end: "plus sign", "L", "L shape", "cube"."""
         text = self.text(at)
+        if text in LETTERS and self.text(at + 1) == "shaped" and self.text(at + 2) in _SHAPED:
+            return text.upper(), at + 3
         if text in LETTERS and (self.items[at].raw.isupper() or self.text(at + 1) == "shape"):
             return text.upper(), at + 1 + (self.text(at + 1) == "shape")
         kind = FIGURE.get(text, "")
@@ -61,7 +63,7 @@ class Measures(Text):
 
     def measured(self, noun: Noun, at: int) -> Iterator[tuple[Noun, int]]:
         """ "three high", "three wide and two high", "of three steps", "with a base of three blocks"."""
-        start = at + (self.text(at) in {",", "which", "that"})
+        start = self.past_any(at, ", each", "each") or at + (self.text(at) in {",", "which", "that"})
         sizes: dict[str, int] = {}
         while True:
             start += self.text(start) in {"and", "of", "by"} and bool(sizes)
@@ -88,9 +90,11 @@ class Measures(Text):
         rows = self.past_any(at, "of", "with", ",")
         if noun.noun in {"grid", "wall"} and self.number(rows) and self.text(rows + 1) == "row":
             across = rows + 3 if self.text(rows + 2) in {"and", "of"} else 0
-            if self.number(across) and self.text(across + 1) in {"column", "block"}:
+            color = lexicon.COLOR.get(self.text(across + 1), "")
+            if self.number(across) and self.text(across + 1 + bool(color)) in {"column", "block"}:
                 size = (self.number(rows), self.number(across))
-                yield replace(noun, size=size if noun.noun == "grid" else size[::-1]), across + 2
+                size = size if noun.noun == "grid" else size[::-1]
+                yield replace(noun, size=size, color=color or noun.color), across + 2 + bool(color)
         base = self.past_any(at, "with a base of", "on a base of", "that has a base of")
         if noun.noun == "pyramid" and base and self.number(base):
             yield (
@@ -129,10 +133,10 @@ class Measures(Text):
 
     def ordered(self, noun: Noun, at: int) -> Iterator[tuple[Noun, int]]:
         """ "in alphabetical order", "ascending from left to right", "rising to the right", "open to the left"."""
-        if end := self.past_any(at, *_ANY_ORDER):
-            yield noun, end
         yield from self._alternating(noun, at)
         start = at + (self.text(at) == ",")
+        if noun.noun == "column" and (end := self.past_any(start, "going away from me", "away from me")):
+            yield noun, end
         upright = noun.noun == "tower"
         for order, ways in _ORDERS.items():
             for end in {self.past_any(start, way) for way in ways} - {0}:

@@ -127,7 +127,9 @@ def _is_member(scene: Scene, block: int) -> bool:
 
 
 def _is_subject(scene: Scene, ref: Ref) -> bool:
-    """Whether this is, or is one of, what something is being said of: "it" is something else then."""
+    """Whether this is, or is one of, what something is being said of, or holds it: "it" is something else then."""
+    if scene.subject is not None and (ref.kind, scene.subject[0]) == ("figure", "block"):
+        return any(set(scene.subject[1]) & set(scene.figures[n].blocks) for n in ref.ids)
     return scene.subject is not None and ref.kind == scene.subject[0] and set(ref.ids) <= set(scene.subject[1])
 
 
@@ -238,6 +240,9 @@ def _spared(scene: Scene) -> list[int]:
     figures = [figure for figure in scene.figures if not figure.implied]
     if len(figures) != 1:
         return []
+    plain = [n for n in figures[0].blocks if not scene.blocks[n].color and not scene.blocks[n].label]
+    if 0 < len(plain) < len(figures[0].blocks):
+        return plain  # "the others are white"
     facts = [ref for fact in scene.facts for ref in (fact.a, fact.b, fact.c) if ref is not None and ref.kind == "block"]
     told = {n for ref in facts for n in ref.ids if len(ref.ids) < len(figures[0].blocks)}
     return [n for n in figures[0].blocks if n not in told] if told & set(figures[0].blocks) else []
@@ -254,7 +259,7 @@ def _some_of(scene: Scene, noun: Noun) -> Ref:
     scene.here = here  # those that are meant are spoken of, not those that they are some of
     if whole.kind == "figure" and noun.noun in {"block", "one"}:
         whole = Ref("block", [n for at in whole.ids for n in scene.figures[at].blocks])
-    if whole.fresh and scene.figures and isinstance(noun.of, Noun) and noun.of.det != "the":
+    if whole.fresh and whole.kind == "block" and scene.figures and isinstance(noun.of, Noun) and noun.of.det != "the":
         raise Unclear  # "one of two blocks" may be a figure
     ids = whole.ids
     if noun.det == "all" and noun.of == Pronoun("them") and len(ids) < len(scene.blocks):
@@ -282,6 +287,10 @@ def _some_of(scene: Scene, noun: Noun) -> Ref:
     if len(left) < count or (noun.bound and scene.taken):
         raise Unclear
     chosen = left[:count]
+    if (figure := scene.figure_of(ids[0])) is not None and figure.told and not figure.implied and count < len(left):
+        if count > 1:
+            raise Unclear
+        chosen = [left[scene.choose(len(left))]]  # each is at another place
     rest = [n for n in ids if n not in chosen] if noun.bound != "least" else []
     return replace(_take(scene, chosen), rest=rest, bound=noun.bound)
 

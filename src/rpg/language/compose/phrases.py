@@ -189,7 +189,7 @@ class Phrases(Contents):
         if self.text(at) == "half":
             ways.append((Noun(det="half"), at + 1))
         for some, end in ways:
-            if of := self.past_any(end, "of"):
+            if of := self.past_any(end, "of", "from", "out of"):
                 yield from ((replace(some, of=whole), stop) for whole, stop in (*self._simple(of), *self.series(of)))
             elif some.det in {"all", "both"}:
                 yield from ((replace(some, of=whole), stop) for whole, stop in self._noun(end))
@@ -267,6 +267,7 @@ class Phrases(Contents):
                     told = "each" if each > stop or self.text(end) == "each" else "of" if listed else made
                     full = replace(measured, content=of, made=told)
                     figures += [(full, each), *self.measured(full, each)]
+                    figures += [(full, each + 1)] if listed and self.text(each) == "," else []
                     if isinstance(of, Noun) and of == Noun(count=of.count, noun="block", many=True):
                         lots = self._listing(each + 1) if made == "of" and self.text(each) in {",", ":"} else []
                         sized = replace(measured, size=(of.count,), made="of")

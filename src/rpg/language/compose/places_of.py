@@ -41,7 +41,8 @@ def steps(many: int) -> int:
 
 
 def places(figure: Figure, ranks: tuple[str, ...], nth: int = 0, count: int = 0) -> list[int]:
-    """The numbers of the places that words such as "left end" or "far right corner" stand for.
+    """The numbers of the places that words such as "left end" or "far right corner" stand for; so many, if `count` is
+    told, or any number of them, where it is -1.
 
     Raises Unclear where the figure has no such places.
     """
@@ -171,9 +172,11 @@ def _of_cells(figure: Figure, cells: list[_Cell], said: set[str], nth: int, coun
         found = [n for n in found if any(_is_end(cells, cells[n], axis) for axis in varied)]
     elif rest == {"corner"} and figure.kind != "plus":
         found = [n for n in found if all(_is_end(cells, cells[n], axis) for axis in varied)]
+        if len(sides) == 2 and len(found) == 2 and len(varied) == 3:  # of a cube, from above
+            found = [n for n in found if _at_sides(cells, cells[n], {"top"})]
     elif rest == {"end"} and figure.kind == "wall":  # what lies on the end of a wall lies on top
         found = [n for n in found if _is_end(cells, cells[n], 0) and _at_sides(cells, cells[n], {"top"})]
-    elif rest or len(found) not in {1, count}:
+    elif rest or len(found) not in {1, count if count > 0 else len(found)}:
         raise Unclear  # a whole side
     if not found:
         raise Unclear

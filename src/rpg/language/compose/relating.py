@@ -29,7 +29,7 @@ def tops_of(scene: Scene, ref: Ref) -> list[int]:
     tops = []
     for at in ref.ids:
         figure = scene.figures[at]
-        if figure.kind != "tower" or figure.stage < 0:
+        if figure.kind != "tower" or scene.may_change(figure):
             raise Unclear
         tops.append(scene.at(figure, len(figure.blocks) - 1))
     return tops
@@ -45,6 +45,10 @@ def bare(scene: Scene, ref: Ref, said: Place) -> None:
         if said.no:
             raise Unclear
         scene.facts += [Fact(Ref("block", [n]), word) for n in ref.ids]
+    elif name == "stay" and ref.kind in {"block", "figure"} and not (said.no or ref.bound or ref.rest or ref.either):
+        if scene.stage:
+            raise Unclear  # what was put somewhere first
+        scene.facts.append(Fact(Ref("block", _blocks(scene, ref)), "stay"))
     elif name in {"side by side", "touching", "apart"} and not ref.each and not ref.bound:
         if ref.rest or len(ref.ids) < 2:
             raise Unclear
@@ -59,8 +63,6 @@ def bare(scene: Scene, ref: Ref, said: Place) -> None:
         scene.facts += [
             Fact(Ref(ref.kind, [a]), word, Ref(ref.kind, [b]), no=said.no) for a, b in combinations(ref.ids, 2)
         ]
-    elif name == "stay" and ref.kind == "block" and not (said.no or ref.bound or ref.rest or ref.either):
-        scene.facts.append(Fact(Ref("block", ref.ids), "stay"))
     elif name == "any order" and not said.no:
         _in_any_order(scene, ref)
     elif name == "in turn" and ref.kind == "figure" and len(ref.ids) == 2 and not said.no:
@@ -79,7 +81,7 @@ def _in_any_order(scene: Scene, ref: Ref) -> None:
     if not figures or any(figure.told or figure.placed for figure in figures):
         raise Unclear
     for figure in figures:
-        figure.free = True
+        figure.free = not scene.alike(figure.blocks)
 
 
 def in_region(scene: Scene, ref: Ref, said: Place) -> None:
@@ -188,6 +190,8 @@ def place(scene: Scene, ref: Ref, target: Ref, said: Place) -> None:
         target = replace(target, bound="", rest=[])  # what is one is on no other one
     if ref.kind in {"patch", "table"} or target.bound:
         raise Unclear
+    if ref.kind == "figure" != target.kind and set(_blocks(scene, ref)) & set(_blocks(scene, target)):
+        raise Unclear  # a figure is nowhere on its own blocks
     if name == "flank":
         return  # on which side is told behind
     if name in {"in", "on"} and target.kind == "patch":

@@ -156,6 +156,11 @@ class Scene:
         """The figure that a block is a part of."""
         return next((f for f in self.figures if block in f.blocks), None)
 
+    def may_change(self, figure: Figure) -> bool:
+        """Whether a figure is there at the start and need not stay."""
+        stays = [fact.a.ids for fact in self.facts if fact.said == "stay"]
+        return figure.stage < 0 and not any(set(figure.blocks) <= set(ids) for ids in stays)
+
     def at(self, figure: Figure, place: int) -> int:
         """The block at a place; where any order will do, each of those that may be there."""
         if not figure.free:

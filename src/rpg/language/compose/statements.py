@@ -32,6 +32,8 @@ from rpg.language.compose.syntax import (
     Predicate,
     Pronoun,
     Shares,
+    any_number,
+    on_an_end,
 )
 
 TOWER = Noun(det="a", noun="tower")
@@ -44,14 +46,17 @@ def say(scene: Scene, clause: Clause) -> None:
     if clause.other is not None:
         _one_or_other(scene, clause)
         return
+    if clause.mood == "start" and Place("stay") in clause.predicates:
+        raise Unclear
     facts, figures = len(scene.facts), len(scene.figures)
     _say(scene, clause)
     if clause.later:
         scene.stage += 1
     for n in range(facts, len(scene.facts)):
         scene.facts[n] = replace(scene.facts[n], stage=-1 if clause.mood == "start" else scene.stage)
+    there = clause.mood == "start" or Place("stay") in clause.predicates  # what stays where it is is there already
     for figure in scene.figures[figures:]:
-        figure.stage = -1 if clause.mood == "start" else scene.stage
+        figure.stage = -1 if there else scene.stage
 
 
 def _one_or_other(scene: Scene, clause: Clause) -> None:
@@ -226,34 +231,27 @@ def _each_of_a_new_one(subject: Phrase, said: Sequence[Predicate]) -> bool:
     if len(said) != 1 or not isinstance(said[0], Place) or said[0].no:
         return False
     target = said[0].of
-    if isinstance(target, Both) and all(isinstance(part, Noun) and part.nth for part in target.parts):
+    if isinstance(target, Both) and all(isinstance(part, Noun) and (part.nth or part.ranks) for part in target.parts):
         target = Noun(det="both")  # "on the second and the fourth"
-    return (
-        isinstance(subject, Noun) and subject.det in {"a", "another"} and not subject.many and subject.count < 2
-        and isinstance(target, Noun) and target.det in {"each", "both", "all"}
-    )  # fmt: skip
+    if not isinstance(subject, Noun) or not isinstance(target, Noun) or target.det not in {"each", "both", "all"}:
+        return False
+    several = any_number(subject)
+    one = subject.det in {"a", "another"} or (not subject.det and subject.count == 1 and not subject.bound)
+    return several or (one and not subject.of and not subject.many and subject.count < 2)
 
 
 def _one_for_each(scene: Scene, subject: Phrase, said: Predicate) -> None:
     """ "a white block on each end": as many white blocks as there are ends."""
     assert isinstance(said, Place) and said.of is not None and isinstance(subject, Noun)
     target = resolve(scene, said.of)
-    if said.relation not in {"on", "next", *SIDES} or target.no or target.bound or _on_an_end(said):
+    if said.relation not in {"on", "next", *SIDES} or target.no or target.bound or on_an_end(said):
         raise Unclear
     for n in target.ids:
-        one = resolve(scene, replace(subject, det="a"))
+        one = resolve(scene, replace(subject, det="a", many=False, count=0))
         if not one.fresh:
             raise Unclear
         place(scene, one, Ref(target.kind, [n]), said)
         scene.used.update(one.ids)
-
-
-def _on_an_end(said: Place) -> bool:
-    """Whether "on" may be on top of an end, or at the end."""
-    of = said.of
-    while isinstance(of, Noun) and of.noun != "end":
-        of = of.of
-    return said.relation == "on" and isinstance(of, Noun) and said.how not in {"top", "directly"}
 
 
 def _said(scene: Scene, ref: Ref, said: Predicate) -> None:
@@ -268,7 +266,7 @@ def _said(scene: Scene, ref: Ref, said: Predicate) -> None:
     if isinstance(said, Place) and isinstance(said.of, Noun):
         if said.no and said.of.det in {"each", "all", "both", "a", "another", "any"}:
             raise Unclear
-        if _on_an_end(said):
+        if on_an_end(said):
             raise Unclear
         only_color = said.of.color and not said.of.noun
         if said.relation == "on" and only_color and scene.patches:
@@ -362,13 +360,17 @@ def _bears(scene: Scene, ref: Ref, said: Bears) -> None:
     if said.place is not None and said.place.relation != "top":
         if said.place.of is None:
             raise Unclear
-        what = resolve(scene, said.what)
-        place(scene, what, resolve(scene, said.place.of), said.place)
+        own = said.place.of in {Pronoun("it"), Pronoun("them")}  # it has something beside itself
+        if own and (len(ref.ids) > 1 or ref.bound):
+            raise Unclear
+        first = resolve(scene, said.what)
+        place(scene, first, ref if own else resolve(scene, said.place.of), said.place)
         return
     tops = tops_of(scene, ref)
-    if isinstance(said.what, Noun) and said.what.det in {"a", "each"} and len(tops) > 1:
+    what = said.what
+    if len(tops) > 1 and isinstance(what, Noun) and (what.det in {"a", "each"} or any_number(what)):
         for n in tops:
-            one = resolve(scene, replace(said.what, det="a"))
+            one = resolve(scene, replace(what, det="a", many=False))
             on(scene, one, Ref("block", [n]), "on", no=False)
         return
     on(scene, resolve(scene, said.what), Ref("block", tops), "on", no=False)

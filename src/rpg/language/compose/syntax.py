@@ -179,3 +179,16 @@ def is_figure(phrase: Phrase) -> bool:
     if isinstance(phrase, Both):
         return any(map(is_figure, phrase.parts))
     return isinstance(phrase, Noun) and phrase.noun in FIGURES
+
+
+def any_number(noun: Noun) -> bool:
+    """ "Red blocks": as many as they are put on."""
+    return bool(noun.color) and noun == Noun(color=noun.color, noun="block", many=True)
+
+
+def on_an_end(said: Place) -> bool:
+    """Whether "on" may be on top of an end, or at the end."""
+    of = said.of
+    while isinstance(of, Noun) and of.noun != "end":
+        of = of.of
+    return said.relation == "on" and isinstance(of, Noun) and said.how not in {"top", "directly"}

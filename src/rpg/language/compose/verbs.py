@@ -131,7 +131,7 @@ class Verbs(Places):
         aux = self.past_any(at, *AUX) or at
         no = self.past_any(aux, "not") or aux
         denied = no > aux
-        start = no + (self.text(no) in {"both", "all"} and not denied)
+        start = no + (self.text(no) in {"both", "all", "each"} and not denied)
         ends = {end + (self.text(end) in {"both", "all"}) for way in _BE if (end := self.past_any(start, way))}
         for end in sorted(ends | {end + 1 for end in ends if self.text(end) in _DONE}):
             not_there = self.past_any(end, "not") or end

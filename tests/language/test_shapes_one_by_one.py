@@ -41,6 +41,9 @@ SQUARES: dict[str, Any] = {
         ("A row of three red and a row of three blue blocks. The red one is behind the blue one.",
          {"assets": {"red": 3, "blue": 3}, "hold": ["red red red | . . . | blue blue blue"],
           "miss": ["blue blue blue | . . . | red red red"]}),
+        ("a red tower of two and a green row of two, the red one on the left",
+         {"assets": {"red": 2, "green": 2}, "hold": ["red^red green green"],
+          "miss": ["green green red^red", "red red green^green", "green red^red green"]}),
     ],
 )  # fmt: skip
 def test_structures_told_one_by_one(text: str, meant: dict[str, Any]) -> None:
@@ -53,7 +56,6 @@ def test_structures_told_one_by_one(text: str, meant: dict[str, Any]) -> None:
         "Two towers, a red one at the bottom and a blue one on top",
         "Two towers, a red one on each mat",
         "Three towers, a red one of two and a blue one of three",
-        "a red tower of two and a green row of two, the red one on the left",
         "Put two towers on the mat, a red one of two and a blue one of three.",
     ],
 )

@@ -8,7 +8,7 @@ from dataclasses import replace
 from rpg.language import lexicon
 from rpg.language.compose.contents import Contents
 from rpg.language.compose.heads import RELATIONS, TOLD_BY
-from rpg.language.compose.items import FIGURES, PARTS, RANK, SYMBOL, SYMBOL_KINDS
+from rpg.language.compose.items import FIGURES, PARTS, RANK, SYMBOL, SYMBOL_KINDS, shows
 from rpg.language.compose.syntax import (
     Bears,
     Both,
@@ -342,7 +342,7 @@ def _headed(parts: tuple[Phrase, ...]) -> tuple[Phrase, ...]:
 
 
 def _labelled(phrase: Phrase, kind: str) -> bool:
-    """Whether blocks are told by their symbols, which are letters or digits where this is said."""
+    """Whether blocks are told by their symbols, which are of a kind where this is said."""
     labels = [part.label for part in phrase.parts if isinstance(part, Label)] if isinstance(phrase, Both) else []
-    fits = not kind or all(label.isdigit() == (kind == "digit") for label in labels)
+    fits = not kind or all(shows(label, kind) for label in labels)
     return isinstance(phrase, Both) and len(labels) == len(phrase.parts) and fits

@@ -147,6 +147,8 @@ def _say(scene: Scene, clause: Clause) -> None:
     if clause.aside is not None:
         _aside(scene, ref, clause.aside)
     if not clause.predicates:
+        if isinstance(subject, Noun) and not (subject.noun or subject.det or subject.count):
+            raise Unclear  # a mere colour
         there_is(scene, ref, clause.mood)
     scene.subject = (ref.kind, ref.ids)
     if len(clause.predicates) > 1 and any(isinstance(p, Place) and p.how == "immediately" for p in clause.predicates):

@@ -246,9 +246,10 @@ def _in_order(said: Said) -> None:
     in any order."""
     if not said.lines or said.begun or any(line.order.by != "any" for line in said.lines):
         return
-    for match in (*_ORDERED.finditer(said.text), *_REPEATED.finditer(said.text)):
+    told = [(match, pattern is _ORDERED) for pattern in (_ORDERED, _REPEATED) for match in pattern.finditer(said.text)]
+    for match, ordered in told:
         listed = [word for word in match["listed"].split() if word in lexicon.COLOR]
-        if match.re is _ORDERED or len({*listed}) < len(listed):
+        if ordered or len({*listed}) < len(listed):
             raise said.refusal(match, "misplaced", "this is an order, and no line here has one",
                                "say it where the line is told, as in 'a row: red, white, blue'")  # fmt: skip
 

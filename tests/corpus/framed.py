@@ -1,13 +1,20 @@
-"""The second reader by itself: `python -m tests.corpus.framed [every]` lists what it misreads of the whole corpus."""
+"""The second and the third reader by themselves, over the whole corpus.
+
+`python -m tests.corpus.framed [every]` lists what the second one misreads, with `parser` ahead of the number what the
+third one does. Contradictions are found only when a goal is arranged: they are listed, too.
+"""
 
 from __future__ import annotations
 
 import sys
 from collections import Counter
 from concurrent.futures import ProcessPoolExecutor
+from functools import partial
 
 from rpg.core.diagnostics import Refusal
 from rpg.ir.schema import TaskSchema
+from rpg.language.chat import as_typed
+from rpg.language.compose import composed
 from rpg.language.formulas import formulas_told
 from rpg.language.spelling import read_words
 from rpg.language.tokens import tokenize
@@ -33,21 +40,39 @@ class _Second(BuiltinFrontEnd):
             return None
 
 
-def read(entry: Entry) -> Read:
-    """What the second reader makes of an entry's text, whatever the first makes of it."""
-    schema = _Second().told(entry.text)
+class _Third(BuiltinFrontEnd):
+    """Reads a text only as it is parsed."""
+
+    def told(self, text: str) -> TaskSchema | None:
+        try:
+            tokens, strays = formulas_told(*tokenize(text))
+            words, _, wrong = read_words(as_typed(tokens))
+            for plain, said in composed(words) if not (wrong or strays) else ():
+                notes = [f"understood as: {said}"]
+                return self._read_tokens((plain, []), text, None, 0, None, [], notes, again=False)[0]
+        except Refusal:
+            pass
+        return None
+
+
+READERS = {"frames": _Second, "parser": _Third}
+
+
+def read(entry: Entry, reader: str) -> Read:
+    """What a reader makes of an entry's text, whatever the others make of it."""
+    schema = READERS[reader]().told(entry.text)
     try:
         return (prepared(schema) if schema else None), ()
     except Refusal as refusal:
         return None, tuple(refusal.diagnostics)
 
 
-def scored(entry: Entry) -> tuple[Score, str]:
-    """An entry's score, and what it was retold as, if it was."""
+def scored(entry: Entry, reader: str) -> tuple[Score, str]:
+    """An entry's score by a reader, and what it was retold as, if it was."""
     found: list[Read] = []
 
     def once(entry: Entry) -> Read:
-        found.append(read(entry))
+        found.append(read(entry, reader))
         return found[-1]
 
     score = judge(entry, once)
@@ -56,11 +81,12 @@ def scored(entry: Entry) -> tuple[Score, str]:
 
 
 def main() -> None:
-    every = int(sys.argv[1]) if len(sys.argv) > 1 else 1
+    reader = "parser" if "parser" in sys.argv else "frames"
+    every = next((int(word) for word in sys.argv if word.isdigit()), 1)
     entries = [entry for split in SPLITS for entry in load(split)][::every]
     counts: Counter[str] = Counter()
     with ProcessPoolExecutor(2) as pool:
-        for score, text in pool.map(scored, entries, chunksize=50):
+        for score, text in pool.map(partial(scored, reader=reader), entries, chunksize=50):
             right = "right" if text else "right refusal" if score.entry.refuse else "refused, as it may be"
             counts[right if score.outcome == "right" else score.outcome] += 1
             if score.outcome in ("wrong", "crash"):

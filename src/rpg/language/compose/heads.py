@@ -119,8 +119,8 @@ class Heads(Measures):
             yield replace(noun, noun="cube"), behind
         kind = figure or PART.get(text) or ("block" if text == "block" else "") or SYMBOL.get(text, "")
         kind = kind or ("patch" if text in PATCH else "table" if text in TABLE else "one" if text == "one" else "")
-        if not kind:
-            return
+        if not kind or (kind == "middle" and item.many and item.raw[:4].lower() == "cent"):
+            return  # "whose centers are 8 cm apart" tells a distance
         following = self.items[behind].value if behind < len(self.items) else ""
         word = item.value or (following if kind in {"word", "equation"} else "")
         yield replace(noun, noun=kind, many=noun.many or item.many, word=word), behind + (word != item.value)

@@ -12,6 +12,7 @@ from rpg.language.compose.syntax import Noun
 from rpg.language.compose.words import Text
 
 _SHAPED = frozenset({"figure", "form", "arrangement", "structure", "shape"})
+_LONG = frozenset({"tower", "row", "line", "column", "one"})
 LETTERS = frozenset({"l", "t", "v", "u"})
 _MEASURES = {"high": "high", "tall": "high", "wide": "wide", "long": "wide", "deep": "deep"}
 _ORDERS: dict[str, tuple[str, ...]] = {
@@ -80,7 +81,7 @@ class Measures(Text):
             yield replace(noun, size=(sizes["deep"], sizes["wide"]) if flat else (sizes["wide"], sizes["high"])), start
         elif len(sizes) == 1 and noun.noun == "wall":
             yield replace(noun, size=(sizes.get("wide", 0), sizes.get("high", 0))), start
-        elif len(sizes) == 1 and noun.noun in {"tower", "row", "line", "column", "one"}:
+        elif len(sizes) == 1 and noun.noun in ({"tower", "one"} if "high" in sizes else _LONG):
             yield replace(noun, size=tuple(sizes.values())), start
         if noun.noun == "staircase":
             yield from self._rising(noun, at)

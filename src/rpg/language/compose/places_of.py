@@ -101,7 +101,7 @@ def _one_line(many: int, said: set[str], nth: int, first: str, last: str) -> lis
         if many % 2 == 0:
             raise Unclear
         return [many // 2]
-    if rest == {"alternate"} and not ends:
+    if rest == {"alternate"} and not ends and many % 2 == 0:  # of five they are two or three
         return list(range(0, many, 2))
     if rest == {"outer"} or (said == {"end"}):
         return [0, many - 1]

@@ -20,6 +20,7 @@ _THERE = re.compile("^there (?:is|are)$")
 _TOGETHER = frozenset({"compared", "unequal", "bound", "side", "middle", "rel", "heights", "group"})
 """What is told of towers by the others."""
 _DONE = re.compile(r"\b(?:put|place|set|make|build|arrange|turn|bring|stack|lay)\b")
+_TOWER = re.compile(r"\b(?:tower|stack|pillar|pile|column|high|tall|taller|higher|shorter|tallest|highest|shortest)")
 _LAST = {"left": "right", "front": "back"}
 _BEFORE = {"left": "to the left of", "front": "in front of"}
 
@@ -32,6 +33,7 @@ def told(pieces: Sequence[Piece]) -> str:
     """
     if (
         _begun(pieces)
+        or _no_tower(pieces)
         or _each_or_all(pieces)
         or _colors_known(pieces)
         or _heights_of_one(pieces)
@@ -47,6 +49,11 @@ def told(pieces: Sequence[Piece]) -> str:
     if len(kinds) != 1 or pieces[0].words in ("is", "are"):
         raise Unclear
     return _said(found, possible, besides)
+
+
+def _no_tower(pieces: Sequence[Piece]) -> bool:
+    """ "Two white and two green blocks; the green one behind the white one" tells of no towers."""
+    return not any(_TOWER.search(piece.words) for piece in pieces if piece.kind != "glue")
 
 
 def _begun(pieces: Sequence[Piece]) -> bool:

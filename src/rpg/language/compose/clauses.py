@@ -156,12 +156,13 @@ class Reader(Verbs):
         """ "leave it where it is", "do not move it", "without moving it"."""
         found: Ways[Clause] = []
         if start := self.past_any(at, "leave", "keep", "leaving", "keeping"):
-            ends = [(what, self.past_any(stop, *STAYS)) for what, stop in self.phrase(start)]
+            ends = [(what, self.past_any(stop, *STAYS, "alone")) for what, stop in self.phrase(start)]
             found += [(Clause(what, (_STAY,), "put"), end) for what, end in ends if end]
         if start := self.past_any(
             at, "do not move", "do not touch", "never move", "without moving", "without touching"
         ):
-            found += [(Clause(what, (_STAY,), "put"), end) for what, end in self.phrase(start)]
+            some = [way for way in self.phrase(start) if not isinstance(way[0], Noun) or way[0].det != "a"]
+            found += [(Clause(what, (_STAY,), "put"), end) for what, end in some]  # "a" may be any of them
         return found
 
     def _leads(self, at: int) -> list[int]:
@@ -249,7 +250,10 @@ class Reader(Verbs):
         for place, end in self.place(at):
             starts = {self.past_any(end, way) for way in _FRONTED} | {end}
             for start in starts - {0}:
-                found += [(Clause(what, (place,)), stop) for what, stop in self.single(start)]
+                listed = [way for way in self.single(start) if self.text(way[1]) == "," and self.label(way[1] + 1)]
+                found += [
+                    (Clause(what, (place,)), stop) for what, stop in self.single(start) if (what, stop) not in listed
+                ]
         return found
 
     def _statement(self, at: int) -> Ways[Clause]:

@@ -170,6 +170,8 @@ def _made(scene: Scene, noun: Noun, kind: str, resolve: Resolve) -> int:
         if kind != "tower" or noun.made == "from" or len(set(figure.blocks)) < len(figure.blocks):
             raise Unclear
     elif content is not None:
+        if isinstance(content, Noun) and content.noun == "one" and content.color and content.count and not content.det:
+            content = replace(content, noun="block")  # "a row of three red blocks behind a row of three blue ones"
         if isinstance(content, Noun) and content.many and not content.count and content.det == "" and size:
             content = replace(content, count=prod(size))
         ref = resolve(scene, content)
@@ -307,6 +309,8 @@ def part(scene: Scene, noun: Noun, resolve: Resolve) -> Ref:
         ids += found
     if noun.color and any(scene.blocks[n].color != noun.color for n in ids):
         raise Unclear
+    if noun.many and not noun.count and len(ids) == len(figures) and noun.noun in {"one", "block"} and noun.ranks:
+        raise Unclear  # "the lower ones" are as many as are left
     whole = unit in {"row", "column", "layer", "side", "step"}
     if noun.noun in SYMBOL_KINDS and not all(shows(scene.blocks[n].label, noun.noun) for n in ids):
         raise Unclear

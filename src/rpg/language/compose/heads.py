@@ -44,6 +44,11 @@ RELATIONS = sorted(
 )
 
 
+_ALONE = frozenset({"tall", "short", "former", "latter", "last"})
+_UTMOST = frozenset({"leftmost", "rightmost", "topmost", "highest", "lowest"})
+"""What stands for a block without a noun."""
+
+
 class Heads(Measures):
     """Reads the nouns of phrases, without what stands behind them."""
 
@@ -93,7 +98,7 @@ class Heads(Measures):
             yield from self._head(at + 1, replace(with_color, many=False))
         if text in RANK:
             yield from self._head(at + 1, replace(noun, ranks=(*noun.ranks, RANK[text])))
-            if noun.det == "the" and RANK[text] in {"tall", "short", "former", "latter", "last"}:
+            if noun.det == "the" and (RANK[text] in _ALONE or item.raw.lower() in _UTMOST):
                 yield replace(noun, ranks=(*noun.ranks, RANK[text]), noun="one"), at + 1
         if noun.ranks and not noun.count and item.number > 1 and noun.det == "the":
             yield replace(noun, count=item.number, noun="one"), at + 1  # "the outer two"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import combinations
 
 from rpg.language.compose.chosen import chosen
 from rpg.language.compose.figures import ALL, figures_of, has_first, part, within
@@ -277,7 +278,7 @@ def _some_of(scene: Scene, noun: Noun) -> Ref:
     count = len(ids) // 2 if noun.det == "half" else len(ids) - noun.count if noun.det == "but" else noun.count
     if whole.kind != "block" or count < 1 or count > len(ids) or (noun.det == "half" and len(ids) % 2):
         raise Unclear
-    if not scene.alike(ids) or noun.bound == "most":
+    if noun.bound == "most" or (not scene.alike(ids) and (noun.bound == "least" or noun.det)):
         raise Unclear
     if scene.whole != ids:
         if any(n in scene.used for n in ids):
@@ -287,6 +288,11 @@ def _some_of(scene: Scene, noun: Noun) -> Ref:
     if len(left) < count or (noun.bound and scene.taken):
         raise Unclear
     chosen = left[:count]
+    if not scene.alike(ids) and count < len(ids):
+        if left != ids:
+            raise Unclear
+        some = list(combinations(ids, count))
+        chosen = list(some[scene.choose(len(some))])  # whichever of them
     if (figure := scene.figure_of(ids[0])) is not None and figure.told and not figure.implied and count < len(left):
         if count > 1:
             raise Unclear
@@ -311,16 +317,16 @@ def _some_figures(scene: Scene, ids: list[int], noun: Noun) -> Ref:
 def _patch(scene: Scene, noun: Noun) -> Ref:
     if noun.ranks or noun.nth or noun.many or noun.count > 1 or noun.det not in {"a", "the", ""}:
         raise Unclear
-    found = [n for n, patch in enumerate(scene.patches) if not noun.color or patch.color in {noun.color, ""}]
+    found = [n for n, patch in enumerate(scene.patches) if not noun.color or patch.color == noun.color]
     if len(found) > 1 or (found and noun.det == "a" and not noun.color):
         raise Unclear
+    if noun.color and any(not patch.color for patch in scene.patches):
+        raise Unclear  # the one of which no colour was said, or another one
     if not found:
         if not noun.color and scene.patches:
             raise Unclear
         scene.patches.append(Patch(noun.color))
         found = [len(scene.patches) - 1]
-    patch = scene.patches[found[0]]
-    patch.color = patch.color or noun.color
     return Ref("patch", found)
 
 

@@ -54,6 +54,8 @@ class Phrases(Contents):
             found += [
                 (Both(_headed((part, *rest)), either=True), stop) for rest, stop in self._joined(end, "or", ", or")
             ]
+        if self.text(at) == "both" and "not" not in (item.text for item in self.items[max(0, at - 6) : at]):
+            found += [way for way in self.phrase(at + 1) if isinstance(way[0], Both) and len(way[0].parts) == 2]
         if either := self.past_any(at, "either", "either one of", "one of"):
             found += [way for way in self.phrase(either) if isinstance(way[0], Both) and way[0].either]
         return found
@@ -191,11 +193,16 @@ class Phrases(Contents):
         for some, end in ways:
             if of := self.past_any(end, "of", "from", "out of"):
                 yield from ((replace(some, of=whole), stop) for whole, stop in (*self._simple(of), *self.series(of)))
+                told = [(all_, stop) for all_, stop in self.phrase(of) if _labelled(all_, "")]
+                yield from ((replace(some, of=whole), stop) for whole, stop in told)
             elif some.det in {"all", "both"}:
                 yield from ((replace(some, of=whole), stop) for whole, stop in self._noun(end))
 
     def _others(self, at: int) -> Iterator[tuple[Phrase, int]]:
         """ "the other two", "the rest", "the remaining blocks", "the third one", "the other tower"."""
+        for two in ("", " of the two", " of them", " of these"):
+            if end := self.past_any(at, f"whichever{two} is left", f"whichever{two} is left over"):
+                yield Noun(det="other", count=1), end
         start = self.past_any(at, "the", "all the")
         if not start:
             return

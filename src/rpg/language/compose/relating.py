@@ -161,7 +161,7 @@ def _in_figure(scene: Scene, ref: Ref, name: str, *, no: bool) -> None:
         return
     if name == "top" and ref.kind == "block":
         on(scene, ref, Ref("block", tops_of(scene, last)), "on", no=False)
-    elif name in SIDES:
+    elif name in SIDES and ref.ids != last.ids:
         scene.facts.append(Fact(ref, SIDES[name], last))
     else:
         raise Unclear

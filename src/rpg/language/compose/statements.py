@@ -13,7 +13,7 @@ from rpg.language.compose.lined import line_up
 from rpg.language.compose.nouns import resolve
 from rpg.language.compose.relating import SIDES, at_part, bare, between, in_region, on, place, tops_of
 from rpg.language.compose.scene import Fact, Ref, Scene, Unclear
-from rpg.language.compose.subjects import check_subject, there_is, told_of_figures
+from rpg.language.compose.subjects import check_said, check_subject, there_is, told_of_figures
 from rpg.language.compose.syntax import (
     Bears,
     Both,
@@ -37,7 +37,6 @@ from rpg.language.compose.syntax import (
 )
 
 TOWER = Noun(det="a", noun="tower")
-_BESIDE = frozenset({*SIDES, "next", "near", "far"})
 
 
 def say(scene: Scene, clause: Clause) -> None:
@@ -142,8 +141,7 @@ def _say(scene: Scene, clause: Clause) -> None:
         return
     ref = resolve(scene, subject)
     check_subject(scene, clause, ref)
-    if clause.mood == "may" and not ref.no and not all(isinstance(said, Either) for said in clause.predicates):
-        raise Unclear  # this is allowed, not asked for
+    check_said(clause, ref)
     if clause.aside is not None:
         _aside(scene, ref, clause.aside)
     if not clause.predicates:
@@ -151,16 +149,6 @@ def _say(scene: Scene, clause: Clause) -> None:
             raise Unclear  # a mere colour
         there_is(scene, ref, clause.mood)
     scene.subject = (ref.kind, ref.ids)
-    if len(clause.predicates) > 1 and any(isinstance(p, Place) and p.how == "immediately" for p in clause.predicates):
-        raise Unclear  # "right next to it, on its left": how near is said of both
-    if any(isinstance(p, Place) and p.of is not None and p.relation in _BESIDE for p in clause.predicates) and any(
-        isinstance(p, Place) and p.of is None and p.relation in {"touching", "side by side", "apart"}
-        for p in clause.predicates
-    ):
-        raise Unclear  # "next to the blue ones, touching": one another, or them
-    flanking = any(isinstance(said, Place) and said.relation == "flank" for said in clause.predicates)
-    if flanking and not any(isinstance(said, Shares) for said in clause.predicates):
-        raise Unclear  # which one is on which side?
     _stacked_on(scene, clause.predicates)
     for n, said in enumerate(clause.predicates):
         if said == Made(TOWER) and ref.kind == "block" and len(ref.ids) == 1 and len(clause.predicates) > 1:

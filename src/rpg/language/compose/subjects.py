@@ -6,7 +6,10 @@ from dataclasses import replace
 
 from rpg.language.compose.items import FIGURES
 from rpg.language.compose.scene import Ref, Scene, Unclear
-from rpg.language.compose.syntax import Chain, Clause, Listing, Looks, Noun, Place
+from rpg.language.compose.syntax import Both, Chain, Clause, Either, Listing, Looks, Noun, Place, Shares, is_figure
+
+_BESIDE = frozenset({"left", "right", "front", "behind", "next", "near", "far"})
+_MUTUAL = frozenset({"touching", "side by side", "apart"})
 
 
 def told_of_figures(scene: Scene, clause: Clause) -> Clause:
@@ -66,3 +69,20 @@ def there_is(scene: Scene, ref: Ref, mood: str) -> None:
             scene.stock.append(lot)
         if len(lots) == 1:
             scene.whole, scene.taken = list(ref.ids), []
+
+
+def check_said(clause: Clause, ref: Ref) -> None:
+    """Raises Unclear where what is said may be said of one thing or of another, or is not asked for."""
+    places = [said for said in clause.predicates if isinstance(said, Place)]
+    if clause.mood == "may" and not ref.no and not all(isinstance(said, Either) for said in clause.predicates):
+        raise Unclear  # this is allowed, not asked for
+    several = isinstance(clause.subject, Both) and is_figure(clause.subject)
+    if several and clause.mood != "put" and any(said.of is not None for said in places):
+        raise Unclear  # "a row and a tower on the mat": both of them, or the last one
+    if len(clause.predicates) > 1 and any(said.how == "immediately" for said in places):
+        raise Unclear  # "right next to it, on its left": how near is said of both
+    to_others = any(said.of is not None and said.relation in _BESIDE for said in places)
+    if to_others and any(said.of is None and said.relation in _MUTUAL for said in places):
+        raise Unclear  # "next to the blue ones, touching": one another, or them
+    if any(said.relation == "flank" for said in places) and not any(isinstance(p, Shares) for p in clause.predicates):
+        raise Unclear  # which one is on which side?

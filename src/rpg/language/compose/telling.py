@@ -197,7 +197,7 @@ def _figure(scene: Scene, figure: Figure) -> str:
     if figure.placed:
         scene.settle(figure)
     names, many = _names(scene, figure.blocks), len(figure.blocks)
-    listed = f"in the order {_in_turn(scene, figure)}"
+    listed = _sorted(scene, figure) if figure.in_order else f"in the order {_in_turn(scene, figure)}"
     order = f" {listed}" if figure.told and not _is_only_topped(scene, figure) else ""
     if figure.kind == "tower":
         order = order and f" from bottom to top{order}"
@@ -220,6 +220,14 @@ def _figure(scene: Scene, figure: Figure) -> str:
     if figure.kind == "pyramid" and figure.told and _differs_on_top(scene, figure):
         order = f" with {_name(scene, figure.blocks[0])} at the top"
     return _sentence(f"{names} must form {_form(figure, many)}{order}")
+
+
+def _sorted(scene: Scene, figure: Figure) -> str:
+    """The order of what is sorted by its symbols, which can be read then."""
+    labels = [scene.blocks[n].label for n in figure.blocks]
+    if labels[0].isalpha():
+        return "in alphabetical order"
+    return f"in {'ascending' if labels == sorted(labels) else 'descending'} numerical order"
 
 
 def _differs_on_top(scene: Scene, pyramid: Figure) -> bool:

@@ -41,7 +41,7 @@ _FORM = ("form", "forms", "make", "makes", "become", "becomes", "make up", "make
          "stacked into", "turn into", "are built into", "is", "are")  # fmt: skip
 _BEAR = ("carry", "carries", "support", "supports", "bear", "bears", "has", "have", "get", "gets", "hold", "holds",
          "carrying", "bearing", "supporting", "holding")  # fmt: skip
-STAYS = ("where it is", "where they are", "as it is", "as they are", "untouched", "alone", "in place", "unmoved")
+STAYS = ("where it is", "where they are", "as it is", "as they are", "untouched", "in place", "unmoved")
 BUILT = tuple(
     f"{must} {be} {done}"
     for must, be in (("are to", "be"), ("is to", "be"), ("must", "be"), ("should", "be"), ("shall", "be"))

@@ -10,7 +10,7 @@ from dataclasses import replace
 from rpg.language.compose.clauses import Reader, Step, several
 from rpg.language.compose.scene import Impossible, Scene, Unclear
 from rpg.language.compose.statements import say
-from rpg.language.compose.syntax import Clause, Made, Noun, is_figure
+from rpg.language.compose.syntax import Clause, Made, Noun, Place, is_figure
 
 _MOST = 300
 """So many ways to read a text are looked at; one with more of them is not read."""
@@ -77,9 +77,14 @@ def _behind(last: Step, clause: Clause) -> Clause:
     clause = replace(clause, later=last.later or clause.later)
     subject = last.clause.subject
     new = is_figure(subject) and not (isinstance(subject, Noun) and subject.det == "the")
+    if last.said and not clause.mood and clause.predicates:
+        return replace(clause, mood="must")  # "with a block on it" tells how it is to be
     built = new and last.clause.mood in {"build", "put"} and last.clause.predicates
     if last.joined and built and not clause.mood and clause.predicates and not is_figure(clause.subject):
         raise Unclear  # "a row of red blocks on the left and blue ones on the right": another row, or not
+    denied = any(isinstance(said, Place) and said.no for said in last.clause.predicates)
+    if last.joined and denied and not clause.mood and last.clause.mood == "put":
+        raise Unclear  # "do not put A on B and C on D": is that denied, too?
     if not last.joined or clause.mood or not clause.predicates or last.clause.mood != "put":
         return clause
     stacked = last.clause.predicates[:1]

@@ -296,8 +296,8 @@ def _one(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
             if len(mention.ref.names) > 1 and not mention.ref.patch:
                 lot = mention.role == "theme" and mention.clause < scene.clause and not mention.ref.built
                 if lot or not alike([scene.things[n] for n in mention.ref.names]):
-                    raise refuse("ambiguous", "this could be one of the blocks before it, or a further one", word.span,
-                                 "say 'one of them', or name its colour")  # fmt: skip
+                    raise which_one("this could be one of the blocks before it, or a further one", word.span,
+                                    "say 'one of them', or name its colour")  # fmt: skip
                 return Ref(names=(mention.ref.names[0],))
         raise refuse("no-referent", "nothing was mentioned before that 'one' could be", word.span, "name the block")
     found = them(word, scene, scope)

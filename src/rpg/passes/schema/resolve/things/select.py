@@ -96,8 +96,8 @@ def _one_more(noun: Noun, found: list[Thing], scene: Scene) -> None:
     there = {t.name for t in found}
     lots = [m.ref for m in scene.mentions if not m.ref.patch and len(m.ref.names) > 1]
     if noun.traits.colors and any(len(there & set(ref.names)) > 1 for ref in lots):
-        raise refuse("ambiguous", "this could be one of the blocks before it, or a further one", noun.span,
-                     "say 'one of them', or 'another'")  # fmt: skip
+        raise which_one("this could be one of the blocks before it, or a further one", noun.span,
+                        "say 'one of them', or 'another'")  # fmt: skip
 
 
 def is_counted(noun: Noun) -> bool:

@@ -47,12 +47,13 @@ class _Third(BuiltinFrontEnd):
         try:
             tokens, strays = formulas_told(*tokenize(text))
             words, _, wrong = read_words(as_typed(tokens))
-            for plain, said in composed(words) if not (wrong or strays) else ():
-                notes = [f"understood as: {said}"]
-                return self._read_tokens((plain, []), text, None, 0, None, [], notes, again=False)[0]
+            found = None if wrong or strays else next(composed(words), None)
+            if found is None:
+                return None
+            notes = [f"understood as: {found[1]}"]
+            return self._read_tokens((found[0], []), text, None, 0, None, [], notes, again=False)[0]
         except Refusal:
-            pass
-        return None
+            return None
 
 
 READERS = {"frames": _Second, "parser": _Third}

@@ -2,18 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import replace
-
-from rpg.language.compose.figures import ALL, figure_fits
+from rpg.language.compose.figures import ALL, Resolve, figure_fits
 from rpg.language.compose.items import FIGURES
 from rpg.language.compose.places_of import places
-from rpg.language.compose.scene import Fact, Ref, Scene, Unclear
+from rpg.language.compose.scene import SIDES, Fact, Ref, Scene, Unclear
 from rpg.language.compose.syntax import Bears, Chain, Holding, Holds, Looks, Noun, Phrase, Place, Predicate, Pronoun
 
-Resolve = Callable[[Scene, Phrase], Ref]
-SIDES = {"left": "to the left of", "right": "to the right of", "front": "in front of", "behind": "behind"}
-"""How facts tell sides."""
+_BESIDE = {**SIDES, "next": "next to"}
 
 
 def chosen(scene: Scene, noun: Noun, resolve: Resolve) -> Ref:
@@ -21,7 +16,7 @@ def chosen(scene: Scene, noun: Noun, resolve: Resolve) -> Ref:
 
     Raises Unclear where it was told of none, of more than are spoken of, or of things of several kinds.
     """
-    found = [(kind, n) for kind, n in _candidates(scene, replace(noun, that=()))]
+    found = _candidates(scene, noun)
     for said in noun.that:
         found = [one for one in found if _so(scene, *one, said, resolve)]
     kinds = {kind for kind, _ in found}
@@ -140,14 +135,12 @@ def _tells(fact: Fact, kind: str, n: int, relation: str, target: Ref, scene: Sce
     """Whether a fact is that this is there."""
     if fact.b is None or fact.b.kind != target.kind or fact.b.ids != target.ids or fact.c is not None:
         return False
-    if relation in SIDES:
-        return fact.said == SIDES[relation] and fact.a.kind == kind and fact.a.ids == [n]
+    if relation in _BESIDE:
+        return fact.said == _BESIDE[relation] and fact.a.kind == kind and fact.a.ids == [n]
     if relation in {"on", "in"} and target.kind == "patch":
         blocks = scene.figures[n].blocks if kind == "figure" else [n]
         own = kind == "figure" or scene.figure_of(n) is None
         return fact.said == "patch" and own and kind != "patch" and set(blocks) <= set(fact.a.ids)
     if relation == "on":
         return fact.said == "on" and kind == "block" and fact.a.ids == [n]
-    if relation == "next":
-        return fact.said == "next to" and fact.a.kind == kind and fact.a.ids == [n]
     return False

@@ -10,6 +10,8 @@ from rpg.language import lexicon
 from rpg.language.compose.items import FIGURES
 from rpg.language.compose.series import counted
 from rpg.language.compose.syntax import (
+    STAY,
+    TOWER,
     Bears,
     Clause,
     Label,
@@ -22,7 +24,7 @@ from rpg.language.compose.syntax import (
     Pronoun,
     is_figure,
 )
-from rpg.language.compose.verbs import AUX, BUILT, STAYS, TOWER, Verbs, opposite_of
+from rpg.language.compose.verbs import AUX, BUILT, STAYS, Verbs, opposite_of
 from rpg.language.compose.words import Ways, remembered
 
 _LEADS = (
@@ -73,7 +75,6 @@ _WITH = frozenset({", with", "with", ", leaving", "so that", ", so that"})
 """Behind these stands what is so of a thing that is told of, not a further thing."""
 
 
-_STAY = Place("stay")
 _STOPS = frozenset({".", "!", "?", ",", ";"})
 
 
@@ -157,12 +158,12 @@ class Reader(Verbs):
         found: Ways[Clause] = []
         if start := self.past_any(at, "leave", "keep", "leaving", "keeping"):
             ends = [(what, self.past_any(stop, *STAYS, "alone")) for what, stop in self.phrase(start)]
-            found += [(Clause(what, (_STAY,), "put"), end) for what, end in ends if end]
+            found += [(Clause(what, (STAY,), "put"), end) for what, end in ends if end]
         if start := self.past_any(
             at, "do not move", "do not touch", "never move", "without moving", "without touching"
         ):
             some = [way for way in self.phrase(start) if not isinstance(way[0], Noun) or way[0].det != "a"]
-            found += [(Clause(what, (_STAY,), "put"), end) for what, end in some]  # "a" may be any of them
+            found += [(Clause(what, (STAY,), "put"), end) for what, end in some]  # "a" may be any of them
         return found
 
     def _leads(self, at: int) -> list[int]:
@@ -262,11 +263,18 @@ class Reader(Verbs):
             if built := self.past_any(stop, *BUILT):
                 found.append((Clause(what, (), "build"), built))
             for aside, start in ((None, stop), *self._aside(stop), *self.last_at(what, stop)):
-                mood = "must" if self.past_any(start, *AUX, "not") else "so"
-                mood = "end" if self.past_any(self.past_any(start, *AUX) or start, "end up", "ends up") else mood
-                mood = "may" if self.text(start) in {"may", "can"} and self.text(start + 1) != "not" else mood
+                mood = self._mood(start)
                 found += [(Clause(what, said, mood, aside), end) for said, end in self.verbs(start)]
         return found
+
+    def _mood(self, at: int) -> str:
+        """Whether a verb says what is so, what is allowed, what has to be, or what is so at the end."""
+        if self.text(at) in {"may", "can"} and self.text(at + 1) != "not":
+            return "may"
+        aux = self.past_any(at, *AUX)
+        if self.past_any(aux or at, "end up", "ends up"):
+            return "end"
+        return "must" if aux or self.text(at) == "not" else "so"
 
     def _aside(self, at: int) -> Ways[Clause]:
         """ ", with Q on top,": between a subject and its verb."""

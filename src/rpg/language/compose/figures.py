@@ -10,7 +10,7 @@ from rpg.blocks.figures import FEWEST
 from rpg.language.compose.items import FIGURES, PARTS, SYMBOL_KINDS, shows
 from rpg.language.compose.lined import line_up, of_line
 from rpg.language.compose.places_of import DRAWN, line_of, places, steps
-from rpg.language.compose.scene import Figure, Ref, Scene, Unclear
+from rpg.language.compose.scene import SIDES, Figure, Ref, Scene, Unclear
 from rpg.language.compose.syntax import Both, Chain, Label, Listing, Noun, Phrase, Pronoun
 
 Resolve = Callable[[Scene, Phrase], Ref]
@@ -21,7 +21,7 @@ _SIDES = frozenset({"left", "right"})
 _LINED = frozenset({"left", "right", "middle", "outer", "end"})
 _READ = frozenset({"word", "equation"})
 """What is read from the left."""
-TOWARD = {"left": "to the left of", "right": "to the right of", "near": "in front of", "far": "behind"}
+TOWARD = {"left": SIDES["left"], "right": SIDES["right"], "near": SIDES["front"], "far": SIDES["behind"]}
 OPPOSITE = {"left": "right", "right": "left", "near": "far", "far": "near"}
 _SOLID = frozenset({"square", "grid", "wall", "cube"})
 """What is told by how wide, deep and high it is."""

@@ -25,9 +25,7 @@ def check_in_time(way: Sequence[Clause]) -> None:
         # how things look is so all the time
         looks = bool(clause.predicates) and all(isinstance(said, Looks) for said in clause.predicates)
         ends = any(behind.mood == "end" for behind in way[n + 1 :])
-        if (
-            (n < last or ends) and told and clause.mood in {"so", ""} and not looks
-        ):  # how things look is so all the time
+        if (n < last or ends) and told and clause.mood in {"so", ""} and not looks:
             raise Unclear
         if clause.mood == "so" and asks and isinstance(clause.subject, Noun) and clause.subject.det == "a":
             raise Unclear

@@ -244,8 +244,7 @@ def _spared(scene: Scene) -> list[int]:
     plain = [n for n in figures[0].blocks if not scene.blocks[n].color and not scene.blocks[n].label]
     if 0 < len(plain) < len(figures[0].blocks):
         return plain  # "the others are white"
-    facts = [ref for fact in scene.facts for ref in (fact.a, fact.b, fact.c) if ref is not None and ref.kind == "block"]
-    told = {n for ref in facts for n in ref.ids if len(ref.ids) < len(figures[0].blocks)}
+    told = {n for ref in scene.refs("block") for n in ref.ids if len(ref.ids) < len(figures[0].blocks)}
     return [n for n in figures[0].blocks if n not in told] if told & set(figures[0].blocks) else []
 
 
@@ -305,11 +304,8 @@ def _some_figures(scene: Scene, ids: list[int], noun: Noun) -> Ref:
     """So many of figures that look alike, and of which nothing was said yet."""
     figures = [scene.figures[n] for n in ids]
     looks = {(f.kind, f.size, tuple(scene.blocks[n].look[:2] for n in f.blocks)) for f in figures}
-    known = {n for fact in scene.facts for ref in (fact.a, fact.b) if ref is not None and ref.kind == "figure"
-             for n in ref.ids}  # fmt: skip
-    blocks = {n for fact in scene.facts for ref in (fact.a, fact.b) if ref is not None and ref.kind == "block"
-              for n in ref.ids}  # fmt: skip
-    if len(looks) > 1 or known & set(ids) or any(blocks & set(figure.blocks) for figure in figures):
+    blocks = scene.told_of("block")
+    if len(looks) > 1 or scene.told_of("figure") & set(ids) or any(blocks & set(figure.blocks) for figure in figures):
         raise Unclear
     return Ref("figure", ids[: noun.count], ids[noun.count :], bound=noun.bound)
 

@@ -32,6 +32,8 @@ _DETS = {
     "our": "the", "whichever": "the", "either": "each", "second": "another", "further": "another",
 }  # fmt: skip
 _HOLDING = ("with", "without", "containing", "having", "including")
+_STANDS = ("is", "comes", "stands")
+_THAT_STANDS = ("that is", "which is", "that stands", "which stands")
 _CHOSEN = frozenset({"the", "each", "all", "both"})
 _ONES = Noun(det="the", noun="one", many=True)
 
@@ -304,8 +306,8 @@ class Phrases(Contents):
 
     def _at_a_part(self, noun: Noun, at: int) -> Iterator[tuple[Phrase, int]]:
         """ "the one at the far right corner", "the block at the other end", "the letter that is in the middle"."""
-        lead = self.past_any(at, "that is", "which is", "that stands", "which stands", "is", "comes", "stands")
-        lead = lead if self.text(lead - 2) != noun.noun or self.text(at - 2) == "whichever" else 0
+        whichever = self.text(at - 2) == "whichever"  # "whichever letter is in the middle"
+        lead = self.past_any(at, *(_STANDS if whichever else _THAT_STANDS))
         start = self.past_any(lead or at, "at the", "in the", "on the")
         other = self.text(start) == "other" if start else False
         for part, end in self._head(start + other, noun) if start else ():

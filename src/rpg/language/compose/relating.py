@@ -8,10 +8,9 @@ from itertools import combinations
 from rpg.language.compose.figures import whole_figures
 from rpg.language.compose.nouns import resolve
 from rpg.language.compose.places_of import places, steps
-from rpg.language.compose.scene import Fact, Figure, Ref, Scene, Unclear
+from rpg.language.compose.scene import SIDES, Fact, Figure, Ref, Scene, Unclear
 from rpg.language.compose.syntax import Both, Noun, Phrase, Place
 
-SIDES = {"left": "to the left of", "right": "to the right of", "front": "in front of", "behind": "behind"}
 _RELATIONS = {"next": "next to", "near": "near", "far": "far from", "touch": "touch"}
 _BARE_PLACES = frozenset({"top", "bottom", "middle", "left", "right", "front", "behind"})
 

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 from rpg.language.frames.pieces import Unclear
 
-__all__ = ["Block", "Fact", "Figure", "Impossible", "Patch", "Ref", "Scene", "Unclear"]
+__all__ = ["SIDES", "Block", "Fact", "Figure", "Impossible", "Patch", "Ref", "Scene", "Unclear"]
+
+
+SIDES = {"left": "to the left of", "right": "to the right of", "front": "in front of", "behind": "behind"}
+"""How facts tell on which side something is."""
 
 
 class Impossible(Unclear):
@@ -147,6 +152,14 @@ class Scene:
         """Remembers what is spoken of in this clause."""
         self.here.append(ref)
         return ref
+
+    def refs(self, kind: str) -> Iterator[Ref]:
+        """All things of a kind that facts are of."""
+        return (r for fact in self.facts for r in (fact.a, fact.b, fact.c) if r is not None and r.kind == kind)
+
+    def told_of(self, kind: str) -> set[int]:
+        """The numbers of them."""
+        return {n for ref in self.refs(kind) for n in ref.ids}
 
     def next_clause(self) -> None:
         if self.here:

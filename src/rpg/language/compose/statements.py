@@ -11,10 +11,12 @@ from itertools import pairwise, permutations
 from rpg.language.compose.items import PARTS
 from rpg.language.compose.lined import line_up
 from rpg.language.compose.nouns import resolve
-from rpg.language.compose.relating import SIDES, at_part, bare, between, in_region, on, place, tops_of
-from rpg.language.compose.scene import Fact, Ref, Scene, Unclear
+from rpg.language.compose.relating import at_part, bare, between, in_region, on, place, tops_of
+from rpg.language.compose.scene import SIDES, Fact, Ref, Scene, Unclear
 from rpg.language.compose.subjects import check_said, check_subject, there_is, told_of_figures
 from rpg.language.compose.syntax import (
+    STAY,
+    TOWER,
     Bears,
     Both,
     Chain,
@@ -36,8 +38,6 @@ from rpg.language.compose.syntax import (
     on_an_end,
 )
 
-TOWER = Noun(det="a", noun="tower")
-
 
 def say(scene: Scene, clause: Clause) -> None:
     """Puts what a clause says into the scene. Raises Unclear where it does not say it clearly."""
@@ -45,7 +45,7 @@ def say(scene: Scene, clause: Clause) -> None:
     if clause.other is not None:
         _one_or_other(scene, clause)
         return
-    if clause.mood == "start" and Place("stay") in clause.predicates:
+    if clause.mood == "start" and STAY in clause.predicates:
         raise Unclear
     facts, figures = len(scene.facts), len(scene.figures)
     _say(scene, clause)
@@ -53,7 +53,7 @@ def say(scene: Scene, clause: Clause) -> None:
         scene.stage += 1
     for n in range(facts, len(scene.facts)):
         scene.facts[n] = replace(scene.facts[n], stage=-1 if clause.mood == "start" else scene.stage)
-    there = clause.mood == "start" or Place("stay") in clause.predicates  # what stays where it is is there already
+    there = clause.mood == "start" or STAY in clause.predicates  # what stays where it is is there already
     for figure in scene.figures[figures:]:
         figure.stage = -1 if there else scene.stage
 

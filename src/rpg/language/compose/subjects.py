@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rpg.language.compose.items import FIGURES
-from rpg.language.compose.scene import Ref, Scene, Unclear
+from rpg.language.compose.scene import SIDES, Ref, Scene, Unclear
 from rpg.language.compose.syntax import Both, Chain, Clause, Either, Listing, Looks, Noun, Place, Shares, is_figure
 
-_BESIDE = frozenset({"left", "right", "front", "behind", "next", "near", "far"})
+_BESIDE = frozenset({*SIDES, "next", "near", "far"})
 _MUTUAL = frozenset({"touching", "side by side", "apart"})
 
 

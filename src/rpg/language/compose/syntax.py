@@ -153,6 +153,9 @@ class NotBoth:
     """Of two that "or" joins, the other one is not there."""
 
 
+TOWER = Noun(det="a", noun="tower")
+STAY = Place("stay")
+"""What is said of things that stay where they are."""
 Predicate = Shares | NotBoth | Place | Made | Looks | Bears | Holds | Holding | Either
 
 

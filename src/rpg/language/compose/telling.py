@@ -91,10 +91,7 @@ def _color_in(scene: Scene) -> None:
 def _check_told_of(scenes: Sequence[Scene]) -> None:
     """Of every block something has to be said, unless it is one of a lot of which something is."""
     told = {n for scene in scenes for figure in scene.figures for n in figure.blocks}
-    for fact in (fact for scene in scenes for fact in scene.facts):
-        for ref in (fact.a, fact.b, fact.c):
-            if ref is not None and ref.kind == "block":
-                told.update(ref.ids)
+    told = told.union(*(scene.told_of("block") for scene in scenes))
     blocks = scenes[0].blocks
     looks = {blocks[n].look for n in told if n < len(blocks)}
     if any(block.look not in looks for block in blocks):
@@ -233,9 +230,7 @@ def _sorted(scene: Scene, figure: Figure) -> str:
 def _differs_on_top(scene: Scene, pyramid: Figure) -> bool:
     """Whether nothing is told of its other blocks apart, which look alike."""
     top, rest = pyramid.blocks[0], pyramid.blocks[1:]
-    told = {n for fact in scene.facts for ref in (fact.a, fact.b, fact.c) if ref and ref.kind == "block"
-            for n in ref.ids}  # fmt: skip
-    return scene.alike(rest) and not scene.alike([top, rest[0]]) and not told & set(rest)
+    return scene.alike(rest) and not scene.alike([top, rest[0]]) and not scene.told_of("block") & set(rest)
 
 
 def _topped(scene: Scene, fact: Fact) -> Ref | None:
@@ -262,9 +257,7 @@ def _in_turn(scene: Scene, figure: Figure) -> str:
     """The blocks one after the other; of many, those next to each other of which nothing else is told in any order."""
     if len(figure.blocks) < _MANY:
         return ", ".join(_name(scene, n) for n in figure.blocks)
-    told = {
-        n for fact in scene.facts for ref in (fact.a, fact.b, fact.c) if ref and ref.kind == "block" for n in ref.ids
-    }
+    told = scene.told_of("block")
     runs: list[list[int]] = []
     for n in figure.blocks:
         if runs and not told & {n, runs[-1][0]} and scene.alike([n, runs[-1][0]]):

@@ -7,6 +7,8 @@ from dataclasses import replace
 from rpg.language.compose.items import FIGURES, RANK
 from rpg.language.compose.places import Places
 from rpg.language.compose.syntax import (
+    STAY,
+    TOWER,
     Bears,
     Chain,
     Either,
@@ -50,7 +52,6 @@ BUILT = tuple(
 _NOT_BOTH = tuple(f"{but} not both{of}" for but in ("but", ", but") for of in ("", " of them"))
 _OTHER = tuple(f"{also} {other}" for also in ("and", ", and", ",") for other in ("one", "the other", "the other one"))
 _PILED = frozenset({"stacked", "piled"})
-TOWER = Noun(det="a", noun="tower")
 _FLAT = frozenset({"patch", "table"})
 
 
@@ -143,7 +144,7 @@ class Verbs(Places):
                 here += [((Made(TOWER), *said), stop) for said, stop in self.predicates(end + 1)]
                 here.append(((Made(TOWER),), end + 1))
             if stays := self.past_any(end, *STAYS):
-                here.append(((Place("stay"),), stays))
+                here.append(((STAY,), stays))
             if denied or not_there > end:  # what is joined to it may be denied, too, or not
                 here = [(opposite, stop) for said, stop in here if (opposite := opposite_of(said))]
             found += here

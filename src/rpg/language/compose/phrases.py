@@ -337,17 +337,16 @@ class Phrases(Contents):
 
 
 def _headed(parts: tuple[Phrase, ...]) -> tuple[Phrase, ...]:
-    """ "The red or the blue block", "the red, green and blue blocks": what stands at the last is said of all."""
-    first, last = parts[0], parts[-1]
-    if not isinstance(first, Noun) or not isinstance(last, Noun) or last.noun not in {"block", "patch"}:
+    """ "The red or the blue block": the noun of the last one is that of all of them. Plurals are read as series."""
+    last = parts[-1]
+    if not isinstance(last, Noun) or last.noun not in {"block", "patch"} or last.det not in {"the", "a"}:
         return parts
-    det = first.det if last.many else last.det
     bare = [part for part in parts[:-1] if isinstance(part, Noun) and part.color and not part.noun]
-    if det not in {"the", "a"} or len(bare) < len(parts) - 1 or any(part.many or part.count for part in bare):
+    if last.many or last.count or not last.color or len(bare) < len(parts) - 1:
         return parts
-    if any(part.det not in {det, ""} for part in (*bare, last)) or last.count or not last.color:
+    if any(part.det not in {last.det, ""} or part.many or part.count for part in bare):
         return parts
-    return tuple(replace(part, det=det, noun=last.noun, many=False) for part in (*bare, last))
+    return (*(replace(part, det=last.det, noun=last.noun) for part in bare), last)
 
 
 def _labelled(phrase: Phrase, kind: str) -> bool:

@@ -44,7 +44,7 @@ from rpg.passes.schema.resolve.clauses.rows_again import check_lines_again
 from rpg.passes.schema.resolve.clauses.set_below import check_set_below
 from rpg.passes.schema.resolve.clauses.taken_for_granted import either_way
 from rpg.passes.schema.resolve.clauses.told_order import in_told_order
-from rpg.passes.schema.resolve.clauses.tower_or_block import check_tower_or_block
+from rpg.passes.schema.resolve.clauses.tower_or_block import of_their_colors
 from rpg.passes.schema.resolve.clauses.whole_or_part import check_it, of_the_one
 from rpg.passes.schema.resolve.goals.contradictions import check_all
 from rpg.passes.schema.resolve.goals.meant import with_what_is_meant
@@ -166,7 +166,7 @@ def resolve(
     """One reading of every sentence -> the task, or a refusal. Facts that no end fits are about the start."""
     check_lists(chains, text)
     check_each(chains, text)
-    check_tower_or_block(chains)
+    chains = of_their_colors(chains)
     check_lines_again(chains)
     check_set_below(chains)
     check_it(chains := built_for_a_part(of_the_one(chains)))

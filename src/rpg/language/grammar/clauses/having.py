@@ -13,6 +13,7 @@ from rpg.language.grammar.places.gaps import apart_by
 from rpg.language.grammar.places.onto import one_on_another
 from rpg.language.grammar.places.relations import loc
 from rpg.language.grammar.places.sides import toward
+from rpg.language.grammar.places.two_relations import brought_up
 from rpg.language.grammar.structures.along import listed_along
 from rpg.language.grammar.structures.sizes import size_phrase
 from rpg.language.grammar.structures.structures import structure
@@ -277,8 +278,9 @@ def _listed_then(p: Parser, k: int) -> Results[OrderBy]:
 def _another(p: Parser, i: int, at: int, owner: Meaning, first: Clause, mode: str) -> Results[Meaning]:
     """ "... and the white block on its right": a second thing that the owner has."""
     joint = p.one(p.opt(at, ","), "and")
-    if isinstance(owner, Noun) and owner.det in ("a", "bare") and owner.amount == Amount(1, 1):
-        owner = replace(owner, det="the", amount=None)  # the one that has the first
+    owner = brought_up(owner)  # the one that has the first
+    if isinstance(owner, Noun) and owner.amount == Amount(1, 1):
+        owner = replace(owner, amount=None)
     for theme, j in noun_phrase(p, joint) if joint else ():
         for found, end in adjuncts(p, j):
             if (places := _owned(found, owner)) is not None:

@@ -14,7 +14,7 @@ from rpg.language.grammar.places.said_inside import said_inside
 from rpg.language.grammar.places.sides import SIDES, UTMOST, at
 from rpg.language.grammar.structures.apposed import AMID
 from rpg.language.grammar.structures.parts import part, part_statement, unit_of
-from rpg.language.grammar.things.had_relatives import of_the_nearest
+from rpg.language.grammar.things.had_relatives import of_the_nearest, told_of_which
 from rpg.language.grammar.things.nouns import noun_phrase, simple
 from rpg.language.grammar.things.printed import shown
 from rpg.language.grammar.things.retold import begins_anew
@@ -109,8 +109,9 @@ def absolute(p: Parser, i: int) -> Results[Meaning]:
             continue  # "red, blue, red leftmost": told of the last one alone
         cost = 2 if _on_the_table(first_place) or (j == comma and isinstance(first_place, Loc)) else 0
         cost += isinstance(first_place, At)
-        cost += 2 * shown(p, i, first) + 3 * of_the_nearest(p, comma, first_place)
-        first = replace(first, cost=cost)
+        nearest = of_the_nearest(p, comma, first_place)
+        first = replace(first, cost=cost + 2 * shown(p, i, first) + 3 * nearest)
+        first = told_of_which(first, p.span(comma, comma + 1)) if nearest else first
         yield first, end
         yield from _absolute_more(p, i, end, (first,))
 

@@ -5,8 +5,7 @@ from __future__ import annotations
 from rpg.language.grammar.core import Parser, Results, choice
 from rpg.language.grammar.places.prepositions import CLOSE, DIRECT, relation, side_relation
 from rpg.language.grammar.things.nouns import noun_phrase
-from rpg.language.grammar.things.retold import brought_up
-from rpg.language.meaning import Coord, Loc, Meaning, TableTop, replace
+from rpg.language.meaning import Coord, Loc, Meaning, Noun, PartOf, Structure, TableTop, replace
 
 _BUT_NOT = (", but not", "but not", ", not", ", yet not", "yet not", "and not", ", and not", ", though not",
             "though not", "without", "rather than", "instead of", "as opposed to", ", rather than")  # fmt: skip
@@ -58,7 +57,7 @@ def not_but(p: Parser, i: int) -> Results[Coord]:
         for (second, mods), m in relation(p, k) if k else ():
             for landmark, end in noun_phrase(p, m):
                 span = p.span(i, end)
-                denied = Loc(rel=side, landmark=landmark, negated=True, span=span)
+                denied = Loc(rel=side, landmark=brought_up(landmark), negated=True, span=span)
                 placed = Loc(rel=second, landmark=landmark, mods=mods, span=span)
                 yield Coord(op="and", items=(placed, denied), span=span), end
 
@@ -78,3 +77,13 @@ def and_from(p: Parser, i: int, far: Meaning, j: int) -> Results[Coord]:
 
 
 _AND_FROM = ("and from", "and also from", "and away from", "as well as from", ", and from", "and apart from")
+
+
+def brought_up(thing: Meaning) -> Meaning:
+    """ "(Behind or in front of) a row of three": where it is spoken of once more it is that row, and no other one."""
+    if isinstance(thing, PartOf) and thing.whole is not None:
+        return replace(thing, whole=brought_up(thing.whole))
+    if isinstance(thing, Noun) and isinstance(thing.part_of, Structure):
+        return replace(thing, part_of=brought_up(thing.part_of))
+    new = isinstance(thing, Noun | Structure) and thing.det in ("a", "bare")
+    return replace(thing, det="the") if new else thing

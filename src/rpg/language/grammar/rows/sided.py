@@ -44,9 +44,20 @@ _TOUCH = (
     ("(?:touching|(?:up )?against)", "touching", 1),
 )  # fmt: skip
 """How it is told that something is touched, what is said instead, and the group that stands behind it."""
+_POINTING = "(?:point(?:ing|ed|s)?|fac(?:ing|es)|open(?:ing|s)?|(?:going|leading) up|rising|climbing)"
+_TOWARDS = (
+    ("left", "left"),
+    ("right", "right"),
+    (f"(?:away from {ME}|back|rear|backwards?)", "(?:far|back)"),
+    (f"(?:towards? {ME}|front|forwards?)", "(?:near|front)"),
+)
+"""How a direction is told, and the edge that lies there."""
 _MINE = "(?:on|to) my {side}(?: side| hand| hand side)?"
 
 SIDED_AT_ONCE: tuple[Turn, ...] = (
+    # a direction told twice: "pointing to the left, towards the left edge" is no place
+    *((f"\\b({_POINTING} (?:to the )?{way}) , towards? the {edge} (?:edge|side|end)(?: of the table)?\\b(?! of)", "{1}")
+      for way, edge in _TOWARDS),
     # which side of it is touched
     *((f"\\b{touch} (the (?:left|right|front|back|near|far) (?:side|face) of (?=\\w))", f"{said} {{{n}}}")
       for touch, said, n in _TOUCH),

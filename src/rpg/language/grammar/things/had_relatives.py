@@ -10,7 +10,7 @@ from rpg.language.grammar.core import Parser, Results, choice
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.retold import none_of
 from rpg.language.later import later
-from rpg.language.meaning import At, Loc, Meaning, Noun, Pronoun, Traits, replace
+from rpg.language.meaning import Absolute, At, Loc, Meaning, Noun, Pronoun, Traits, replace
 from rpg.language.phrases import Classes
 
 if TYPE_CHECKING:
@@ -55,6 +55,15 @@ _HAVE = frozenset({"has", "gets"})
 def of_the_nearest(p: Parser, comma: int, place: Meaning) -> bool:
     """ "(red in front of blue,) which has white on it": told of the noun in front of it, and so read there."""
     return p.stands(comma, _THAT) and isinstance(place, Loc) and isinstance(place.landmark, Pronoun)
+
+
+def told_of_which(told: Absolute, which: Span) -> Absolute:
+    """ "(red left of a row of three,) which has white behind it": behind what stands in front of "which"."""
+    place = told.adjuncts[0]
+    it = place.landmark if isinstance(place, Loc) else None
+    if not isinstance(it, Pronoun) or it.word != "it":
+        return told
+    return replace(told, adjuncts=(replace(place, landmark=replace(it, word="which", span=which)), *told.adjuncts[1:]))
 
 
 @choice

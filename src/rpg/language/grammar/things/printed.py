@@ -51,10 +51,11 @@ def _among(p: Parser, i: int, j: int, noun: Noun) -> Results[Noun]:
 
 def printed(p: Parser, i: int, j: int, k: int, noun: Noun) -> Results[Noun]:
     """ "the block with an A on it", "the one that has a K on it": what it shows."""
+    j = p.opt(j, ",")
     end = p.any_of(k, _ON_IT) if noun.traits.labels and p.stands(j, _BEARING) else 0
     end = 0 if noun.plural and not {"it", "its"}.isdisjoint(p.words[k:end]) else end
     letter = not _NAMED.isdisjoint(p.words[j:k])
-    if end and (letter or p.words[j + 1] != "the" or not noun.traits.colors):
+    if end and (letter or "the" not in p.words[j:k] or not noun.traits.colors):
         yield replace(noun, span=p.span(i, end)), end
 
 

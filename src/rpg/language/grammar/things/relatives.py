@@ -69,8 +69,9 @@ def relative(p: Parser, i: int, head: str, plural: bool) -> Results[Any]:
     if that:
         if j := max(NO_ROLE.matches(p, that), default=0):
             yield Traits(extra=True), j
-        if j := p.one(that, _SHOW):
-            yield from _shown(p, j)
+        j = p.one(that, _SHOW)
+        if j and not (plural and p.words[that] in _ONE_HAS):  # "a tower of blocks, which has F on it": the tower
+            yield from ((shown, k) for shown, k in _shown(p, j) if not _beside_it(p, k))
         namely = comma > i and p.words[i + 1 : i + 3] == ["that", "is"]
         if j := p.one(that, ("is", "are")) if not namely else 0:
             j = p.opt(j, "all", "both", "each") if j else j
@@ -161,6 +162,17 @@ def _shown(p: Parser, i: int) -> Results[Traits]:
             yield Traits(labels=labels, open_ended=more), k
     for (labels, more), k in label_list(p, j, True):
         yield Traits(labels=labels, open_ended=more), k
+
+
+def _beside_it(p: Parser, k: int) -> bool:
+    """ "(which has the C) in front of it": that is another block, and not what it shows."""
+    on = p.stands(k, ("on",)) and not {"left", "right", "of"}.isdisjoint(p.words[k : k + 4])
+    return (on or p.stands(k, _BEGINS_A_PLACE)) and not {"it", "its"}.isdisjoint(p.words[k : k + _NEAR])
+
+
+_ONE_HAS = frozenset({"has", "carries", "bears"})
+_BEGINS_A_PLACE = frozenset({"behind", "in", "next", "beside", "to", "left", "right", "under", "near", "adjacent"})
+_NEAR = len(("on", "the", "left", "side", "of", "it"))
 
 
 def which_also(p: Parser, i: int, j: int, noun: Noun) -> Results[Noun]:

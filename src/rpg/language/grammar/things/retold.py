@@ -389,9 +389,3 @@ def all_colored(p: Parser, items: tuple[Meaning, ...], j: int) -> tuple[Meaning,
         return items
     named = [replace(x, traits=replace(x.traits, colors=last.traits.colors)) for x in told if isinstance(x, Noun)]
     return (*named,) if those and len(named) > 1 else (*named, last)
-
-
-def brought_up(thing: Meaning) -> Meaning:
-    """ "(Behind or in front of) a row of three": where it is spoken of once more it is that row, and no other one."""
-    new = isinstance(thing, Noun | Structure) and thing.det in ("a", "bare")
-    return replace(thing, det="the") if new else thing

@@ -34,6 +34,7 @@ def check_lists(chains: tuple[Chain, ...], text: str) -> None:
             _check_either(clause, text)
             _check_beside_it(clause, text)
             _check_sides(clause)
+            _check_one_more(clause, text)
             _check_standing(clause, text)
         for built in (part for part in parts_of(chain) if isinstance(part, Structure | Clause)):
             _check_none(built)
@@ -67,6 +68,17 @@ def _check_none(built: Structure | Clause) -> None:
     if isinstance(listed, Coord) and listed.op == "and" and any(denied) and not all(denied):
         none = listed.items[denied.index(True)]
         raise refuse("misplaced", "none is no part of a list", none.span, "say it in a sentence of its own")
+
+
+def _check_one_more(clause: Meaning, text: str) -> None:
+    """Refuse "... behind a row of three red blocks and the X block right of it" as behind a row with the X in it."""
+    places = [x for x in clause.adjuncts if isinstance(x, Loc)] if isinstance(clause, Clause) else []
+    for one, other in pairwise(places):
+        mark = one.landmark.members if isinstance(one.landmark, Structure) else one.landmark
+        last = mark.items[-1] if isinstance(mark, Coord) and mark.op == "and" else None
+        if isinstance(last, Noun) and not last.plural and not text[one.span[1] : other.span[0]].strip():
+            raise refuse("misplaced", "this could be one of those before it, or what is placed there", last.span,
+                         "say it in a sentence of its own")  # fmt: skip
 
 
 _OPPOSITE = ({"left", "right"}, {"front", "back"}, {"top", "bottom"})

@@ -34,8 +34,11 @@ def built_for_a_part(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
 def _built(chain: Chain, told: Sequence[str]) -> Chain:
     clauses: list[Meaning] = []
     links: list[str] = []
+    there: set[Structure] = set()
     for link, said in zip(chain.links, chain.clauses, strict=True):
         wholes = list(dict.fromkeys(x for part in parts_of(said) if (x := _brought_up(part, told)) is not None))
+        wholes = [whole for whole in wholes if whole not in there]  # "its middle has red on it and blue behind it"
+        there.update(wholes)
         if len(wholes) == 1 and isinstance(said, Clause) and said.mode in ("command", "goal") and said.verb != "build":
             built = changed(wholes[0], det="a")
             clauses.append(Clause(verb="build", theme=built, mode="goal", span=built.span))

@@ -1,0 +1,104 @@
+"""What is brought up by one clause and spoken of by the next is the same thing, and what "which" has is had by it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from tests.language.meaning import assert_means, code_of
+
+_ROW = {"purple": 4, "pink": 1, "green": 1}
+_TWO_ROWS = {"blue": 4, "pink": 4}
+_BLUE, _PINK = "blue blue blue blue", "pink pink pink pink"
+
+
+@pytest.mark.parametrize(
+    ("text", "assets", "hold", "miss"),
+    [
+        (
+            "The second block from the left in a row of 4 red blocks has a green cube on it and a white one behind it",
+            {"red": 4, "green": 1, "white": 1},
+            ". white . . | red red^green red red",
+            [". . . white | red red^green red red", ". white . . | red^green red red red"],
+        ),
+        (
+            "the top of a tower of three blue blocks has a red block on it and a white block next to it",
+            {"blue": 3, "red": 1, "white": 1},
+            "blue^blue^blue^red white",
+            ["blue^blue^blue^red . . . white", "blue^blue^blue white red"],
+        ),
+        (
+            "place the pink cube left of a row of four purple blocks, which has a green block behind it",
+            _ROW,
+            "purple purple purple purple at=0,0 ; pink at=0,4 ; green at=2,0",
+            ["purple purple purple purple at=0,0 ; pink at=0,4 ; green at=-2,0",
+             "purple purple purple purple at=0,0 ; pink at=0,-4 ; green at=2,0"],
+        ),
+        (
+            "Stand the B in front of the red cube, which has the C to its left",
+            {"B": 1, "red": 1, "C": 1},
+            "C red | . B",
+            ["red C | B .", "red | B ; C"],
+        ),
+        (
+            "Put the cube, which has a 5 on it, on the red one",
+            {"5": 1, "red": 1},
+            "red^5",
+            ["5^red", "red 5"],
+        ),
+        (
+            "Put the white block right of a tower of three purple cubes, which has the F on it",
+            {"white": 1, "purple": 3, "F": 1},
+            "purple^purple^purple^F . white",
+            ["purple^purple^purple . white^F", "white . purple^purple^purple^F"],
+        ),
+        (
+            "Two rows of four: the blue one is in front of the pink one",
+            _TWO_ROWS,
+            f"{_PINK} at=2,0 ; {_BLUE} at=0,0",
+            [f"{_PINK} at=-2,0 ; {_BLUE} at=0,0"],
+        ),
+        (
+            "Three towers of two: the blue one is left of the pink one, and the pink one is left of the white one",
+            {"blue": 2, "pink": 2, "white": 2},
+            "blue^blue . pink^pink . white^white",
+            ["pink^pink . blue^blue . white^white", "blue^pink . blue^pink . white^white"],
+        ),
+        (
+            "I want the word KED right of a stack of three red cubes and the letter C behind the red stack",
+            {"K": 1, "E": 1, "D": 1, "red": 3, "C": 1},
+            "red^red^red at=0,0 ; K E D at=0,-4 ; C at=2,0",
+            ["red^red^red^C at=0,0 ; K E D at=0,-4", "red^red^red at=0,0 ; K E D at=0,-4 ; C at=-2,0"],
+        ),
+        (
+            "Line up 2, 4, 6 and 9: the even ones in rising order from the left, then the odd one at the right end.",
+            {"2": 1, "4": 1, "6": 1, "9": 1},
+            "2 4 6 9",
+            ["9 2 4 6", "6 4 2 9", "2 6 4 9"],
+        ),
+        (
+            "Seven brown blocks in a U, with its open side pointing away from me, towards the far edge.",
+            {"brown": 7},
+            "brown . brown | brown . brown | brown brown brown",
+            ["brown brown brown | brown . brown | brown . brown"],
+        ),
+    ],
+)  # fmt: skip
+def test_it_is_the_same_thing(text: str, assets: dict[str, int], hold: str, miss: list[str]) -> None:
+    assert_means(text, {"assets": assets, "hold": [hold], "miss": miss})
+
+
+@pytest.mark.parametrize(
+    ("text", "code"),
+    [
+        # which of the two rows?
+        ("put a row of three blue blocks behind a row of three red cubes and the X right of the row", "ambiguous"),
+        ("Build two towers of two blocks each. Put the red one on the mat.", "ambiguous"),
+        # a line of which a part is told by itself, and the rest "then": next in the line, or later?
+        ("Line up A, C, E, B: the vowels in alphabetical order from the left, then the consonants in this order",
+         "misplaced-word"),
+    ],
+)  # fmt: skip
+def test_what_could_be_another_is_asked(text: str, code: Any) -> None:
+    assert code_of(text) == code

@@ -291,6 +291,8 @@ def far_end(p: Parser, j: int) -> bool:
 
 def inside(p: Parser, i: int, j: int) -> Results[Meaning]:
     """A place from i on, whose side is named at j."""
+    if p.words[i : i + 3] == ["in", "front", "of"]:
+        return  # ahead of all of it, and no place in it
     j = p.opt(j, "exact") if p.stands(j + 1, ("middle", "center")) else j
     word = p.words[j] if j < p.end else ""
     ended = word in ("far", "near") and p.words[j + 1] in ("left", "right") and p.words[j + 2] == "end"

@@ -183,6 +183,10 @@ def _of_a_whole(p: Parser, i: int) -> Results[Clause]:
                         yield replace(built, adjuncts=(more,), span=p.span(i, last)), last
 
 
+_OUTSIDE = ("in front of", "left of", "right of")
+"""What is there is no part of what is named behind it."""
+
+
 @choice
 def _in_a_whole(p: Parser, i: int) -> Results[Clause]:
     """ "the red one is third in a row of five": builds the row, and says so of one of its places."""
@@ -193,6 +197,8 @@ def _in_a_whole(p: Parser, i: int) -> Results[Clause]:
         if not isinstance(theme, Noun) or not _one(theme) or theme.traits.rank is not None:
             continue
         told = p.any_of(j, _IS_IN) or j
+        if p.any_of(told, _OUTSIDE):
+            continue
         led = p.any_of(told, ("in", "at", "on", "as"))
         there = [*part(p, told, "block"), *(part(p, led, "block") if led else ()), *at(p, told)]
         for place, k in dict.fromkeys(there):

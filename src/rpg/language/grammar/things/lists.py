@@ -35,20 +35,33 @@ def listed(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
             yield tuple(Noun(head="any", traits=Traits(labels=(a,)), span=span) for a in labels), j
     for first, j in simple(p, i):
         if isinstance(first, Noun) and not (first.plural and len(first.traits.labels) == 1):
-            yield from ((_one_by_one(sized_alike(p, items)), k) for items, k in _more(p, (first,), j))
+            yield from ((_one_by_one(p, sized_alike(p, items)), k) for items, k in _more(p, (first,), j))
 
 
-def _one_by_one(items: tuple[Meaning, ...]) -> tuple[Meaning, ...]:
-    """ "A red block, A, B, C, a blue block": the symbols come one after the other as well."""
+def _one_by_one(p: Parser, items: tuple[Meaning, ...]) -> tuple[Meaning, ...]:
+    """ "A red block, A, B, C, a blue block", "green, blue and white blocks": these come one after the other as well."""
     found: list[Meaning] = []
     for item in items:
-        labels = item.traits.labels if isinstance(item, Noun) else ()
-        run = isinstance(item, Noun) and (item.det, item.amount) == ("bare", None) and len(labels) > 1
-        if run and isinstance(item, Noun) and item.traits == Traits(labels=labels):
-            found += [replace(item, plural=False, traits=Traits(labels=(label,)), cost=0) for label in labels]
-        else:
-            found.append(item)
+        run = _run(item) if isinstance(item, Noun) else []
+        single = isinstance(item, Noun) and len(run) > 1
+        found += [replace(item, plural=False, traits=look, cost=0) for look in run] if single else [item]
+    nouns = [item for item in found if isinstance(item, Noun)]
+    shared = len(nouns) == len(found) > 1 and all(_run(x) and x.head == "any" and not x.plural for x in nouns[:-1])
+    ahead = [token.word for token in p.tokens if token.span[1] <= nouns[-1].span[0]][-1:] if shared else []
+    if (
+        ahead == ["and"] and nouns[-1].plural and len(_run(nouns[-1])) == 1
+    ):  # "green, blue and white blocks": one of each
+        found[-1] = replace(nouns[-1], plural=False)
     return tuple(found)
+
+
+def _run(item: Noun) -> list[Traits]:
+    """The looks of "red", "red and blue blocks", "A, B, C", of which nothing else is said."""
+    looks = item.traits
+    plain = looks in (Traits(labels=looks.labels), Traits(colors=looks.colors))
+    bare = plain and (item.det, item.amount, item.part_of, item.conditions) == ("bare", None, None, ())
+    told = [Traits(labels=(x,)) for x in looks.labels] or [Traits(colors=(x,)) for x in looks.colors]
+    return told if bare else []
 
 
 _SYMBOLS = tuple(f"{the}{noun}" for the in ("the ", "") for noun in ("blocks", "cubes", "letters", "digits", "numbers"))

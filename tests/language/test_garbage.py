@@ -60,9 +60,9 @@ def test_no_text_breaks_the_front_end() -> None:
     rng = random.Random(7)
     for _ in range(TEXTS):
         text = garbage(rng)
-        began = time.perf_counter()
+        began = time.process_time()
         schema, diagnostics = BuiltinFrontEnd().read(text)
-        assert time.perf_counter() - began < 5.0, text
+        assert time.process_time() - began < 5.0, text
         assert (schema is None) == any(d.severity == "error" for d in diagnostics), text
         assert all(d.code in CODES for d in diagnostics), (text, diagnostics)
 
@@ -82,17 +82,17 @@ def test_no_text_breaks_the_front_end() -> None:
     ],
 )
 def test_numbers_beyond_every_table_are_refused_at_once(text: str) -> None:
-    began = time.perf_counter()
+    began = time.process_time()
     _, diagnostics = BuiltinFrontEnd().read(text)
-    assert time.perf_counter() - began < 5.0
+    assert time.process_time() - began < 5.0
     assert [d.code for d in diagnostics] == ["too-many-blocks"]
 
 
 def test_the_longest_text_is_read_in_time() -> None:
     text = ("put the red block and the blue block and the green block on the yellow block and " * 12)[:990]
-    began = time.perf_counter()
+    began = time.process_time()
     BuiltinFrontEnd().read(text)
-    assert time.perf_counter() - began < 20.0
+    assert time.process_time() - began < 20.0
 
 
 def test_reading_is_deterministic() -> None:

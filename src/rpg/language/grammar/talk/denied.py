@@ -41,6 +41,31 @@ _DONE = {form: verb for form, senses in lexicon.VERB.items() for _, verb, tense 
 _ENDS = frozenset({".", "!", "?", ";"})
 
 
+_DONE_TO = {
+    "touching": "touch",
+    "being": "be",
+    "lying": "lie",
+    "standing": "stand",
+    "sitting": "sit",
+    "resting": "rest",
+}
+HOLD_OFF = frozenset({"keep", "prevent", "stop"})
+_APART = _ENDS | {",", ":", "from"}
+
+
+def held_off(tokens: list[Token]) -> list[Token]:
+    """ "Keep the blue ones from touching it", "prevent red from being on green": it must not."""
+    words = [token.word for token in tokens]
+    for at in range(len(words) - 2, 0, -1):
+        if words[at] != "from" or words[at + 1] not in _DONE_TO:
+            continue
+        begin = next((n for n in range(at - 1, -1, -1) if words[n] in HOLD_OFF | _APART), None)
+        if begin is not None and words[begin] in HOLD_OFF and begin + 1 < at and words[begin - 1] != "not":
+            must = [tokens[at].saying(word) for word in ("must", "not", _DONE_TO[words[at + 1]])]
+            return held_off([*tokens[:begin], *tokens[begin + 1 : at], *must, *tokens[at + 2 :]])
+    return tokens
+
+
 def forbidden(tokens: list[Token]) -> list[Token]:
     """ "Red is forbidden to touch it": it must not; "moving that is forbidden": do not move it."""
     words = [token.word for token in tokens]

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from rpg.language import lexicon
 from rpg.language.grammar.talk.as_it_is import TELLING, as_it_is
-from rpg.language.grammar.talk.denied import BARRED, forbidden
+from rpg.language.grammar.talk.denied import BARRED, HOLD_OFF, forbidden, held_off
 from rpg.language.tokens import Token
 
 _STOPS = frozenset({".", ";", "!", "?"})
@@ -198,5 +198,6 @@ IN_OTHER_WORDS: tuple[tuple[frozenset[str], Callable[[list[Token]], list[Token]]
     (_KINDS_OF_BLOCK, building_blocks),
     (TELLING, as_it_is),
     (BARRED, forbidden),
+    (HOLD_OFF, held_off),
 )
 """Turns of phrase, with words one of which they have."""

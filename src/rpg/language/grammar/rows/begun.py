@@ -101,6 +101,7 @@ BEGUN_AT_ONCE: tuple[Turn, ...] = (
     (f"^in the (?:final|resulting|finished) {LINE}(?: ,)? (?=(?:the )?{COLOR}\\b)", "at the end "),
     (f"^(?:and |but )?when (?:it|the {EVENT}) (?:ends|is over)(?: ,)? (?=(?:the|an?|all|both|{MANY}|{COLOR})\\b)",
      "at the end , "),
+    (f"^there (is|are) (an? {LINE}(?: of [^:,]+?)?) {TIME} (?=:)", "at the start there {1} {2} "),
     (f"^everything {STARTS} ", "all blocks start "),
     (f"^({TIME})(?: ,)? everything {LIES} ", "{1} all blocks are "),
     (f"^everything {LIES} ([^,]+? {TIME})$", "all blocks are {1}"),

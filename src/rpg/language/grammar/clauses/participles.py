@@ -15,7 +15,7 @@ def participle(p: Parser, i: int, j: int, theme: Meaning, mode: str) -> Results[
 
     What is told behind a comma of the last of several that "and" joins may be told of all of them: it is not read.
     """
-    if p.opt(j, ",") > j and p.words[i - 1] == "and" and p.words[i - 2] != ",":
+    if p.follows(i, ("and",)) and p.words[i - 2] != "," and p.opt(j, ",") > j:
         return
     j = p.opt(p.opt(j, ","), "all", "both", "each")
     for sense, lemma, form in p.lex(j, lexicon.VERB) or ():

@@ -275,12 +275,14 @@ def _no_clause(p: Parser, j: int, k: int, previous: Clause, item: Meaning) -> bo
         return True
     if p.any_of(j, STARTING) and isinstance(shape, Noun | Coord) and not getattr(item, "adjuncts", ()):
         return True  # "a row of A, B, C, starting with C": which comes first, and not what there is at the start
-    return previous.lemma == "tally" and _of_the_list(p, j, k, item)
+    listing = previous.verb == "exist" and not previous.adjuncts and not isinstance(previous.theme, Structure)
+    return (previous.lemma == "tally" or listing) and _of_the_list(p, j, k, item)
 
 
 def _of_the_list(p: Parser, j: int, k: int, item: Meaning) -> bool:
     """ "a red, a green and a blue cube, stacked in that order": what ends a list is no clause of its own."""
     theme = item.theme if isinstance(item, Clause) and item.mode == "goal" else None
+    theme = getattr(theme, "part_of", None) or theme  # "two blue ones: all of them"
     counted = isinstance(theme, Coord | Noun) and getattr(getattr(theme, "items", (theme,))[0], "amount", None)
     return bool(counted) and p.words[j - 1] in (",", "and") and _FINITE.isdisjoint(p.words[j:k])
 

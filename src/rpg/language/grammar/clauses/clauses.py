@@ -356,9 +356,6 @@ _WISHING = frozenset({"want", "like", "need", "see", "prefer", "have", "love"})
 
 
 _SET_OFF = frozenset({",", ":"})
-_ALSO = frozenset({",", "and"})
-_TOLD_THERE = frozenset({"there", "here", "i", "we", "you"})
-"""With these begins what tells which blocks there are."""
 _SORTED = frozenset({"alphabetical", "alphabetically", "reverse", "sorted", "ordered", "numerical", "row", "line"})
 
 
@@ -383,8 +380,7 @@ def _describe(p: Parser, i: int, mode: str) -> Results[Meaning]:
                 yield Clause(verb=verb, theme=theme, adjuncts=found, mode=mode, span=p.span(i, k), cost=cost), k
         colon = p.opt(p.opt(j, ",", ":"), "all")
         close = isinstance(theme, Noun) and len(theme.traits.labels) > 1 and p.stands(j, _SORTED)  # "A B C sorted row"
-        last = p.follows(i, _ALSO) and p.words[0] in _TOLD_THERE  # "there are two red and two blue blocks: a row"
-        for apposed, k in noun_phrase(p, colon) if (colon > j and not last) or close else ():
+        for apposed, k in noun_phrase(p, colon) if colon > j or close else ():
             if (
                 isinstance(apposed, Structure)
                 and apposed.members is None

@@ -86,6 +86,8 @@ def chain(p: Parser, i: int) -> Results[Chain]:
                 yield Chain(clauses=clauses, links=links, span=p.span(i, end), cost=1), end
     for begun, j in (*begun_with(p, i), *counted_ahead(p, i), *out_of_these(p, i)):
         for main, end in chain(p, j):
+            if begun.lemma == "stock" and len(main.clauses) == 1 and _of_the_list(p, j, end, main.clauses[0]):
+                continue
             told = map(none_of_the_others, main.clauses) if begun.lemma == "stock" else main.clauses
             yield Chain(clauses=(begun, *told), links=("and", *main.links), span=p.span(i, end)), end
     if j := p.one(i, "either"):
@@ -282,7 +284,8 @@ def _no_clause(p: Parser, j: int, k: int, previous: Clause, item: Meaning) -> bo
 def _of_the_list(p: Parser, j: int, k: int, item: Meaning) -> bool:
     """ "a red, a green and a blue cube, stacked in that order": what ends a list is no clause of its own."""
     theme = item.theme if isinstance(item, Clause) and item.mode == "goal" else None
-    theme = getattr(theme, "part_of", None) or theme  # "two blue ones: all of them"
+    for whole in ("members", "part_of"):  # "a tower of two blue ones, both of them"
+        theme = getattr(theme, whole, None) or theme
     counted = isinstance(theme, Coord | Noun) and getattr(getattr(theme, "items", (theme,))[0], "amount", None)
     return bool(counted) and p.words[j - 1] in (",", "and") and _FINITE.isdisjoint(p.words[j:k])
 

@@ -277,8 +277,9 @@ def _no_clause(p: Parser, j: int, k: int, previous: Clause, item: Meaning) -> bo
         return True
     if p.any_of(j, STARTING) and isinstance(shape, Noun | Coord) and not getattr(item, "adjuncts", ()):
         return True  # "a row of A, B, C, starting with C": which comes first, and not what there is at the start
-    listing = previous.verb == "exist" and not previous.adjuncts and not isinstance(previous.theme, Structure)
-    return (previous.lemma == "tally" or listing) and _of_the_list(p, j, k, item)
+    listing = (previous.verb == "exist" and not previous.adjuncts) or (previous.lemma == "fact" and ":" in p.words[j:k])
+    listing = previous.lemma == "tally" or (listing and not isinstance(previous.theme, Structure))
+    return listing and _of_the_list(p, j, k, item)
 
 
 def _of_the_list(p: Parser, j: int, k: int, item: Meaning) -> bool:

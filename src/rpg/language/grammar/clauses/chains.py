@@ -273,6 +273,7 @@ def _no_clause(p: Parser, j: int, k: int, previous: Clause, item: Meaning) -> bo
         return True
     shape = item.theme if isinstance(item, Clause) else None
     part = listed and isinstance(shape, Structure) and shape.det == "bare"  # "a staircase of red, blue and green steps"
+    part = part or (previous.mode == "goal" and _in_labels(p, j, previous))
     if part or told_of_it(p, j, k, previous, item) or nor_does(p, j, k, previous, item):
         return True
     if p.any_of(j, STARTING) and isinstance(shape, Noun | Coord) and not getattr(item, "adjuncts", ()):
@@ -305,6 +306,14 @@ def _in_list(p: Parser, j: int) -> bool:
         placed = counted and p.stands(j + 1, _PLACED)  # "2 green, 1 pink, pink on top"
         return after.word in lexicon.COLOR and not placed
     return all(token.kind in _LABELS or len(token.word) == 1 for token in (before, after))
+
+
+def _in_labels(p: Parser, j: int, before: Clause) -> bool:
+    """ "A row of the letters P, Q and R is on the left": all of them are its letters."""
+    told = before.theme.members if isinstance(before.theme, Structure) and not before.adjuncts else None
+    last, after = p.tokens[j - 2], p.tokens[j] if j < p.end else None
+    joined = p.words[j - 1] == "and" and isinstance(told, Noun) and len(told.traits.labels) > 1 and after is not None
+    return joined and all(t.kind in _LABELS or len(t.word) == 1 for t in (last, after) if t is not None)
 
 
 _PLACED = frozenset({"on", "at", "in", "leftmost", "rightmost", "lowest", "topmost"})

@@ -390,8 +390,7 @@ def _patch(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
         return [spread(theme, lambda a: off_patches(a, patches, span), span)]
     if loc.rel in ("on", "above", "in"):
         if mark.part == "middle":
-            lowest = foot(theme)
-            if isinstance(lowest, tuple) and len(lowest) != 1:
+            if isinstance(lowest := foot(theme), tuple) and len(lowest) != 1:
                 raise refuse("ambiguous", "only one block fits in the middle of a patch", span, "name one block")
             near = r.Distance(a=lowest, b=patches, maximum=loc.high or PATCH_MIDDLE, span=span)
             return [on_patches(theme, mark, scene, span), near]

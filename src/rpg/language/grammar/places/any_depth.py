@@ -1,4 +1,4 @@
-"""How far a relation to a side goes: "by at least 8 cm", "no matter how far forward or back", or which one is nearer."""
+"""How far a relation to a side goes: "by at least 8 cm", or "no matter how far back", or which one is nearer."""
 
 from __future__ import annotations
 

@@ -187,6 +187,8 @@ _FOR_WHOM = tuple(
                  "by request of")
 )  # fmt: skip
 """Behind these no place is told, so that they may be called as one likes."""
+_SPOKEN_OF = listed("it them that this these those each other")
+"""By themselves these stand for blocks: "in line with it"."""
 
 
 def _for_them(word: str) -> bool:
@@ -203,7 +205,7 @@ def set_in(words: Sequence[str]) -> int:
     the manual", "using your arm", "on behalf of the whole class"."""
     whom = on_behalf(words)
     behind = next((n for n in range(whom, len(words)) if words[n] in (",", ":")), len(words)) if whom else 0
-    if behind > whom and all(map(_for_them, words[whom:behind])):
+    if not _SPOKEN_OF.issuperset(words[whom:behind]) and all(map(_for_them, words[whom:behind])):
         return behind
     if words[:1] in (["with"], ["using"]):
         at = 1

@@ -210,8 +210,11 @@ def _take(scene: Scene, ids: list[int]) -> Ref:
 
 def _others(scene: Scene, noun: Noun) -> Ref:
     """Those of the last lot that were not yet told of by themselves, or the other one of two figures or patches."""
-    if noun.noun in FIGURES:
-        spoken = {n for ref in (*scene.here, *scene.before) if ref.kind == "figure" for n in ref.ids}
+    of_figure = scene.subject is not None and scene.subject[0] == "figure" and noun == Noun("other", noun=noun.noun)
+    if noun.noun in FIGURES or (of_figure and noun.noun in {"", "one"}):
+        spoken = {n for told in (scene.here, scene.before) for ref in told if ref.kind == "figure" for n in ref.ids}
+        if of_figure and scene.subject is not None:
+            spoken = set(scene.subject[1])
         left = [n for n in range(len(scene.figures)) if n not in spoken]
         if len(left) != (noun.count or 1) or not spoken:
             raise Unclear

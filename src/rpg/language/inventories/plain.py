@@ -77,7 +77,7 @@ def _set_off(part: list[Token], more: bool) -> list[list[Token]] | None:
     """ "There are four red blocks, and two of them should be stacked": what there is, and what is asked. `more`: where
     more follows, that may be what is so as well: "... on the table, and a blue one is on it. Swap them."."""
     words = [token.word for token in part]
-    for n in range(2, len(words) - 3):
+    for n in reversed(range(2, len(words) - 3)):  # the longest list of what there is
         after = n + 1 + (words[n] in (",", ":", "-") and words[n + 1] == "and")
         joined = words[n] in (",", ":", "and") and (words[after] in _THEY or words[after] in lexicon.NUMBER)
         which = after if words[n] == "," and words[after] in ("which", "that") else 0

@@ -257,7 +257,7 @@ JOINTS: list[Pattern] = [
         "upright|standing|lying|have|consists? of|contains?|have got|wanted|needed|required|fully|exclusively|"
         "solely|purely|only|just|nothing but|everything|everything is|all of (?:it|them)|the whole thing|throughout|"
         "it is all|all|for|becomes?|(?:so )?(?:it|they) (?:becomes?|forms?|makes?|is|are)|making|forming|surrounded by|"
-        f"{_NOT_BESIDE}a (?:row|line|layer) of(?! NUM and an? (?:pyramid|wall|cube|square) )|over the 4|centered)",
+        f"{_NOT_BESIDE}a (?:row|line|layer) of(?! NUM and an? (?:pyramid|wall|cube|square) )|over the 4)",
         "stack up|stack(?= NUM (?:layers|levels|tiers) )|erect|fill|tile|cover|enter|write|assemble|layout|"
         "showing|shows|occupy|occupies|hey|hi|hello|ok|okay|so|"
         "(?:would )?(?:you )?mind|building|making|constructing|arranging|laying|placing|putting|creating|down|"

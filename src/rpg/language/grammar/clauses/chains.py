@@ -86,6 +86,8 @@ def chain(p: Parser, i: int) -> Results[Chain]:
                 yield Chain(clauses=clauses, links=links, span=p.span(i, end), cost=1), end
     for begun, j in (*begun_with(p, i), *counted_ahead(p, i), *out_of_these(p, i)):
         for main, end in chain(p, j):
+            if begun.lemma == "stock" and len(main.clauses) == 1 and _of_the_list(p, j, end, main.clauses[0]):
+                continue
             told = map(none_of_the_others, main.clauses) if begun.lemma == "stock" else main.clauses
             yield Chain(clauses=(begun, *told), links=("and", *main.links), span=p.span(i, end)), end
     if j := p.one(i, "either"):
@@ -271,16 +273,21 @@ def _no_clause(p: Parser, j: int, k: int, previous: Clause, item: Meaning) -> bo
         return True
     shape = item.theme if isinstance(item, Clause) else None
     part = listed and isinstance(shape, Structure) and shape.det == "bare"  # "a staircase of red, blue and green steps"
+    part = part or (previous.mode == "goal" and _in_labels(p, j, previous))
     if part or told_of_it(p, j, k, previous, item) or nor_does(p, j, k, previous, item):
         return True
     if p.any_of(j, STARTING) and isinstance(shape, Noun | Coord) and not getattr(item, "adjuncts", ()):
         return True  # "a row of A, B, C, starting with C": which comes first, and not what there is at the start
-    return previous.lemma == "tally" and _of_the_list(p, j, k, item)
+    listing = (previous.verb == "exist" and not previous.adjuncts) or (previous.lemma == "fact" and ":" in p.words[j:k])
+    listing = previous.lemma == "tally" or (listing and not isinstance(previous.theme, Structure))
+    return listing and _of_the_list(p, j, k, item)
 
 
 def _of_the_list(p: Parser, j: int, k: int, item: Meaning) -> bool:
     """ "a red, a green and a blue cube, stacked in that order": what ends a list is no clause of its own."""
     theme = item.theme if isinstance(item, Clause) and item.mode == "goal" else None
+    for whole in ("members", "part_of"):  # "a tower of two blue ones, both of them"
+        theme = getattr(theme, whole, None) or theme
     counted = isinstance(theme, Coord | Noun) and getattr(getattr(theme, "items", (theme,))[0], "amount", None)
     return bool(counted) and p.words[j - 1] in (",", "and") and _FINITE.isdisjoint(p.words[j:k])
 
@@ -299,6 +306,14 @@ def _in_list(p: Parser, j: int) -> bool:
         placed = counted and p.stands(j + 1, _PLACED)  # "2 green, 1 pink, pink on top"
         return after.word in lexicon.COLOR and not placed
     return all(token.kind in _LABELS or len(token.word) == 1 for token in (before, after))
+
+
+def _in_labels(p: Parser, j: int, before: Clause) -> bool:
+    """ "A row of the letters P, Q and R is on the left": all of them are its letters."""
+    told = before.theme.members if isinstance(before.theme, Structure) and not before.adjuncts else None
+    last, after = p.tokens[j - 2], p.tokens[j] if j < p.end else None
+    joined = p.words[j - 1] == "and" and isinstance(told, Noun) and len(told.traits.labels) > 1 and after is not None
+    return joined and all(t.kind in _LABELS or len(t.word) == 1 for t in (last, after) if t is not None)
 
 
 _PLACED = frozenset({"on", "at", "in", "leftmost", "rightmost", "lowest", "topmost"})

@@ -11,7 +11,12 @@ from rpg.language.meaning import Clause, Meaning
 
 
 def participle(p: Parser, i: int, j: int, theme: Meaning, mode: str) -> Results[Meaning]:
-    """ "three red blocks stacked on ...", "four cubes, lined up and touching"."""
+    """ "three red blocks stacked on ...", "four cubes, lined up and touching".
+
+    What is told behind a comma of the last of several that "and" joins may be told of all of them: it is not read.
+    """
+    if p.follows(i, ("and",)) and p.words[i - 2] != "," and p.opt(j, ",") > j:
+        return
     j = p.opt(p.opt(j, ","), "all", "both", "each")
     for sense, lemma, form in p.lex(j, lexicon.VERB) or ():
         if form not in ("past", "ing"):

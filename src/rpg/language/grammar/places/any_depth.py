@@ -1,4 +1,4 @@
-"""How far a relation to a side goes: "by at least 8 cm", or "no matter how far forward or back"."""
+"""How far a relation to a side goes: "by at least 8 cm", or "no matter how far back", or which one is nearer."""
 
 from __future__ import annotations
 
@@ -14,14 +14,19 @@ _IS = "is|are|stands|stand|lies|lie|sits|sit|may_be|might_be|end_up|ends_up"
 _DEPTHS = "forward|back|backward|forwards|backwards|forward_or_back|back_or_forward|forward_or_backward|" \
           "forwards_or_backwards|near_or_far|away_from_me|to_the_front_or_back|in_front_or_behind"  # fmt: skip
 _WIDTHS = "left|right|left_or_right|right_or_left|to_the_left_or_right|to_the_right_or_left|to_the_side|sideways"
+_NEARER = "nearer|closer|farther|further|farther_away|further_away|in_front|behind|farther_back|further_back|nearest"
+_LEFTER = (
+    "to_the_left|to_the_right|on_the_left|on_the_right|farther_left|further_left|farther_right|further_right|left|right"
+)
 _ACROSS = {
     sides: Patterns(
         f"{_LEAD} how far|much {where}",
         f"{_LEAD} how far|much {where} {_WHO} {_IS}",
         f",? however far {where}",
         f",? however far {where} {_WHO} {_IS}",
+        f"{_LEAD} which one|block|cube|of_them|of_the_two|of_these? {_IS} {which} to_me|to_us|to_the_robot?",
     )
-    for sides, where in ((("left", "right"), _DEPTHS), (("front", "behind"), _WIDTHS))
+    for sides, where, which in ((("left", "right"), _DEPTHS, _NEARER), (("front", "behind"), _WIDTHS, _LEFTER))
 }
 """What leaves open how far something is to the other sides of it."""
 
@@ -33,6 +38,6 @@ def how_far(p: Parser, i: int, j: int, placed: Loc) -> Results[Loc]:
     for (low, high), k in bounds(p, by) if by else ():
         if by > comma or k >= p.end or p.stands(k, (",", ";", "and")):
             yield replace(placed, low=low, high=high, span=p.span(i, k)), k
-    for sides, told in _ACROSS.items() if not placed.mods else ():
+    for sides, told in _ACROSS.items() if placed.mods in ((), ("somewhere",)) else ():
         for k in told.matches(p, j) if placed.rel in sides else ():
             yield replace(placed, mods=("somewhere",), span=p.span(i, k)), k

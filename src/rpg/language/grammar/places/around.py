@@ -138,12 +138,14 @@ def _told(p: Parser, i: int) -> Results[Meaning]:
         table = of_table(p, there) if there else 0
         start = owns or (p.any_of(table or there, _JOINTS) if there else 0)
         for ring, k in _rings(p, start):
+            told: list[tuple[Clause, int]] = []
             four = p.any_of(k, _ALL_SIDES) or (p.any_of(k, _EACH_SIDE) if ring.amount == _FOUR else 0)
             if four and ring.amount in (None, _ONE, _FOUR) and not p.anywhere(_BY_THE_FACE):
-                yield from _plus(p, i, four, hub, ring)
+                told += _plus(p, i, four, hub, ring)
             if end := p.any_of(p.any_of(k, _GO) or k, _AROUND):
-                for whole, last in _shaped(p, i, end, hub, ring):
-                    yield _so(whole, _there(hub, In(region="middle", span=p.span(be, table)))) if table else whole, last
+                told += _shaped(p, i, end, hub, ring)
+            for whole, last in told:
+                yield _so(whole, _there(hub, In(region="middle", span=p.span(be, table)))) if table else whole, last
     yield from _in_the_middle(p, i, begin)
     ahead = p.any_of(i, _ROUND)
     for hub, j in _hubs(p, ahead) if ahead else ():

@@ -140,6 +140,9 @@ ORDER_CHANGED: tuple[Turn, ...] = (
      f"(?:in|of) (?:the|an?) ({LINE})(?: of)? ({LIST})(?:(?: ,)? ({UP}))?$",
      "at the start there is a {2} : {3} {4} . {1}"),
     ("\\b(empty|clear|free) again$", "{1}"),
+    (f"\\b(?:they|these|those|the (?:blocks|cubes|letters|digits|numbers)) {_HAS_TO} (?:be|stand|go|end up)(?: as| in "
+     f"the order)? ((?:{LABEL}(?: ,| and| , and) )+{LABEL}) (from left to right|from right to left)$",
+     "{1} must be in a row {2}"),
 )  # fmt: skip
 """In every sentence: what is done to a line, and which one it is."""
 WORDS = ("yet moment point finish reversal inversion inverting reversing dismantling unstacking",)

@@ -25,6 +25,10 @@ _AND = "(?: ,)?(?: and(?: then)?)?(?: ,)?"
 _TWICE = "(?: ,)? (?:twice|two times)(?: ,)?(?: with)?"
 _ENDS = "(?= [.!;]|$)"
 _THERE = "((?:in|on|at|to) [^,.;!]+?)"
+_TO_EACH_OTHER = (
+    "(side by side|next to each other|beside each other|one (?:behind|in front of) the other|(?:at least )?[\\d.]+ cm "
+    "apart)"
+)
 _BEHIND_IT = "{1} {2} . {1} {3} {4} it"
 
 TWO_WORDS: tuple[Turn, ...] = (
@@ -40,6 +44,8 @@ TWO_WORDS: tuple[Turn, ...] = (
      f"{_IT}{_ENDS}", _BEHIND_IT),
     (f"{_FIRST}{_TWICE} one(?: of them| word| row)? {_BESIDE} the other{_ENDS}", "{1} {2} . {1} another {2} {3} it"),
     (f"{_FIRST}{_TWICE}(?: ,)? once {_THERE}{_AND} once {_THERE}{_ENDS}", "{1} {2} {3} . {1} another {2} {4}"),
+    (f"^(?:please )?(?:spell|write) (?:(?:the )?(?:two )?words )?(?:the word )?{_NUMBER}{_WORD} and {_SECOND}(?: ,)? "
+     f"{_TO_EACH_OTHER}{_ENDS}", "the word {1} and the word {2} must be {3}"),
     (f"{_FIRST}{_TWICE}{_ENDS}", "{1} {2} . {1} another {2}"),
 )  # fmt: skip
 """What is looked for over a whole text, and what is said instead."""

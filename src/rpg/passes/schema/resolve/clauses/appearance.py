@@ -188,6 +188,9 @@ def _give(theme: Ref, quality: Quality, clause: Clause, scene: Scene) -> None:
                 "name one colour",
                 labels=((theme.span, f"{thing.color} here"),),
             )
+        if traits.labels and thing.label not in (None, traits.labels[0]):
+            raise refuse("contradiction", f"{said(thing)} is said to show {traits.labels[0]} here", quality.span,
+                         "name one symbol")  # fmt: skip
         if _of_another_size(thing, traits):
             raise refuse(
                 "contradiction", f"another size of {said(thing)} is told before", quality.span, "name one size"

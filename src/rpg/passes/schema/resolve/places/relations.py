@@ -390,9 +390,9 @@ def _patch(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
         return [spread(theme, lambda a: off_patches(a, patches, span), span)]
     if loc.rel in ("on", "above", "in"):
         if mark.part == "middle":
-            if len(theme.names) != 1:
+            if isinstance(lowest := foot(theme), tuple) and len(lowest) != 1:
                 raise refuse("ambiguous", "only one block fits in the middle of a patch", span, "name one block")
-            near = r.Distance(a=theme.names, b=patches, maximum=loc.high or PATCH_MIDDLE, span=span)
+            near = r.Distance(a=lowest, b=patches, maximum=loc.high or PATCH_MIDDLE, span=span)
             return [on_patches(theme, mark, scene, span), near]
         return [on_just_one(theme, mark, loc, scene, span) or on_patches(theme, mark, scene, span)]
     if loc.rel in ("left", "right", "front", "behind", "near", "apart", "beside", "adjacent", "distance"):

@@ -163,7 +163,8 @@ def with_hub(names: tuple[str, ...], hub: Absolute, shape: Structure, spec: Spec
         _of_one_look([scene.things[n] for n in names], scene)
     looks = {(t.color, t.label, t.kind, t.size) for t in (scene.things[n] for n in names)}
     ring = shape.kind == "circle"
-    if len(looks) > 1 + alternating or spec.orders or spec.patterns or (not ring and len(names) != 8):
+    flat = shape.extent("layers", "high") in (None, 1) and (ring or len(names) == 8)
+    if len(looks) > 1 + alternating or spec.orders or spec.patterns or not flat:
         raise refuse("misplaced", "this outline has no single middle that could be told so", hub.span,
                      "use a circle or a square of eight blocks that look alike")  # fmt: skip
     count = len(names) + 1

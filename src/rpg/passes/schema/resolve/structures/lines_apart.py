@@ -8,7 +8,7 @@ from rpg.language.meaning import Loc, Meaning, Pronoun, Structure
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.things.world import refuse
 
-_LINES = frozenset({"row", "line", "column"})
+_LINES = frozenset({"row", "line", "column", "word", "equation"})
 _WITHIN = frozenset({"touching", "adjacent", "heaped_row"})
 
 

@@ -178,6 +178,8 @@ RAINBOWS_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b(?:pattern|sequence) : ((?:{COLOR}(?: , and| ,| and)? )+)in an? ({_LINE})$", "{2} : {1}"),
     ("\\b(?:with|having) (?:the |their )?colors in (?:the )?(?:rainbow order|order of (?:the|a) rainbow)\\b",
      "in rainbow order"),
+    ("\\b((?:rainbow|gradient|alphabetical|ascending|descending|numerical)\\b.*?) in (?:the|their) (?:right |correct |"
+     "appropriate )?(?:places|positions|spots|order) (?=(?:in )?between\\b)", "{1} "),
     # where it begins
     (f"(\\brainbow order|\\bgradient .+?)(?: ,| -)? (?:(?:which|that|and|it|and it|the {_LINE}) )?(?:{MUST} "
      f")?(?:begins|begin|starts|start) with ((?:the )?{COLOR}\\b)", "{1} , beginning with {2}"),

@@ -3,16 +3,19 @@ my right", "starting at the left with the biggest", "the one beside the other", 
 
 from __future__ import annotations
 
-from rpg.language.grammar.rows.said_short import LABEL, PLACE, THING
+from rpg.language.grammar.rows.said_short import LABEL, PLACE, THING, THINGS
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import AND, COLOR, CUBE, END, LENGTH, LINE, MANY, MUST, PATCH, PATCHES
 
 _WHO = "(?:my|your|our|his|her|(?:the |a )?(?:viewer|observer|robot|camera|reader|onlooker|spectator) 's)"
 _FIRST = "(biggest|largest|highest|smallest|lowest)(?: one| number| digit)?"
 _PART = "(lowest|bottom|uppermost|topmost|top|highest|middle|leftmost|rightmost)(?: one| block| cube)?"
+_SHOWING = "(?:with|(?:that|which) (?:show|bear|carry|have)|showing|bearing|carrying)"
+_AS_FOR = "(?:as for|regarding|concerning|as regards|with regard to)"
+_WISH = "(?:i|we) (?:want|need|wish|prefer|would (?:like|love|prefer|want))(?: to (?:have|see|get))?"
+_SHOWN = f"(?: {_SHOWING} (?:an? |the )?(?:letter |number |digit )?{LABEL}(?: on (?:it|them|top))?)?"
 _BARRED = "(?:not (?:allowed|permitted|ok|okay)|forbidden|prohibited|disallowed|banned|no go)"
 _DOES = "(?:put|place|stack|set|lay|build|make|move|take|arrange|form|bring)"
-_SHOWING = "(?:with|(?:that|which) (?:show|bear|carry|have)|showing|bearing|carrying)"
 _HAS = "(?:contains?|comprises?|have|has|consists? of)"
 _STAY = "(?:leave|keep)"
 _GERUNDS = ("moving", "touching", "shifting", "disturbing", "lifting", "turning", "changing", "breaking", "destroying")
@@ -35,6 +38,7 @@ UNIDIOMATIC_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b(?:the (?:cubes|blocks|ones)|those) {_SHOWING} the {_SORT} (?=(?:\\w|\\d) (?:,|and) )"
      "(?!.*\\bon (?:them|it)\\b)", "the {1} "),
     # who is meant is named ahead of its pronoun
+    (f"^(?:{_AS_FOR} )?({THINGS}{_SHOWN}) , {_WISH} (?:it|them|these|those) ", "i want {1} "),
     (f" , and ({THING}) , it (?=(?:{MUST}|is|goes|stands|lies|sits|belongs) )", " , and {1} "),
     # one thing and then the next: behind what is done, "after" with a bare verb is "after that"
     (f" , (?:and )?after (?={_DOES} )", " , then "),
@@ -140,9 +144,8 @@ UNIDIOMATIC: tuple[Turn, ...] = (
     *((f"^one {does}s (?=(?:the|an?|both|all|{MANY}) )", f"{does} ") for does in _DOES.strip("(?:)").split("|")),
     (f"^there (?:is|are) to ({_DOES}) ", "{1} "),
     (f"^is there (?:an?|any) (?:way|chance|possibility|option)(?: for| that) ({THING}) to ", "{1} must "),
-    (f"^(?:as for|regarding|concerning|as regards|with regard to) ({THING}) [:,] ({_DOES}) it ", "{2} {1} "),
-    (f"^(?:as for|regarding|concerning|as regards|with regard to) ({THING}) [:,] it (?={MUST} |is |goes |belongs )",
-     "{1} "),
+    (f"^{_AS_FOR} ({THING}) [:,] ({_DOES}) it ", "{2} {1} "),
+    (f"^{_AS_FOR} ({THING}) [:,] it (?={MUST} |is |goes |belongs )", "{1} "),
     ("\\b(each|every) (block|cube|one) (?:in|of|with|having) another color\\b", "{1} {2} in a different color"),
     ("^are ([^,]+?) able to be ", "can {1} be "),
     ("\\bbe interchanged\\b", "be swapped"),

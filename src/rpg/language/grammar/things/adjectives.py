@@ -309,7 +309,7 @@ def of_quality(p: Parser, i: int, head: str) -> Results[Marks]:
     """What follows a noun directly: "A", "labelled A", "with letters", "of the same colour", "of 5 cm", "in red"."""
     if head == "block":
         yield from _symbols_after(p, i)
-    elif head == "any" and (p.stands(i, _SHOWING) or p.any_of(i, _WITH_LETTER)):
+    elif head == "any" and (p.stands(i, _SHOWING) or p.any_of(i, _WITH_LETTER) or _one_with_a(p, i)):
         yield from _labelled(p, i)
     for phrase, j in p.standing(i, _SCHEMES):
         scheme = Marks({"scheme": _SCHEMES[phrase]})
@@ -348,6 +348,11 @@ def of_quality(p: Parser, i: int, head: str) -> Results[Marks]:
             goes_on = p.words[i] in ("colored", "painted", "of", "in") and _goes_on(p, k)
             if body or not (goes_on or p.words[j - 1] in ("with", "a", "the", "of", "having")):
                 yield Marks({"colors": listed, "either": either}), body or k
+
+
+def _one_with_a(p: Parser, i: int) -> bool:
+    """ "the green one with a G on it"."""
+    return p.follows(i, ("one",)) and p.stands(i, ("with",)) and p.words[i + 1] in ("a", "an")
 
 
 _HUED = ("in", "in color", "colored", "coloured", "painted", "of color", "with color", "with a", "with", "with the",

@@ -33,7 +33,7 @@ def test_one_block_is_between_two() -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "The result is a symmetric row: red at both ends, a blue beside each red, one yellow in the centre. Five blocks.",
+        "The result is a symmetric row: red at both ends, a blue beside each red, one yellow in the centre. 5 blocks.",
         "A row of five: red at both ends, blue next to them, yellow in the middle.",
         "A row with a red block at each end, a blue one next to each of them and a yellow one in the middle.",
     ],

@@ -115,8 +115,8 @@ def _in_order(text: str, ends: tuple[str, str], size: int | None, mirrored: bool
     bare = len(parts) > 1 and parts[0].place == "" and size is not None and all(p.place == "next" for p in parts[1:])
     parts = [replace(parts[0], place=ends[0]), *parts[1:]] if bare else parts
     parts = _counted(parts, size, stock)
-    told = {part.place for part in parts}
-    outwards = told == {"middle", "ends"} or (told == {"ends", "inner"} and size is not None)
+    taken = {part.place for part in parts}
+    outwards = taken == {"middle", "ends"} or (taken == {"ends", "inner"} and size is not None)
     laid = _laid(parts, ends) if len(parts) > (1 if bare or stock or outwards else 2) else []
     if not laid or (size is not None and size != len(laid)) or (stock and Counter(laid) != stock):
         return []

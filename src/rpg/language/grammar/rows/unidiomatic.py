@@ -58,6 +58,9 @@ UNIDIOMATIC_AT_ONCE: tuple[Turn, ...] = (
      "another))?(?! with\\b)", "swap places"),
     (f"\\b(leave|keep|have) gap(?: of)? ((?:about |exactly )?{LENGTH})", "{1} a gap of {2}"),
     ("\\b(is|are|goes|comes|be) (?:at )?(?:the )?most (top|bottom|left|right)(?=$| ,| and)", "{1} at the {2}"),
+    *((f"\\b(?:the )?most (?:{said})(?: away)?\\b(?! of)", most)
+      for said, most in (("near", "nearest"), ("close", "closest"), ("far", "farthest"), ("left", "leftmost"),
+                         ("right", "rightmost"))),
     ("\\bon (?:the |all )?(?:(?:four|4) )?corners of the table\\b", "in the corners of the table"),
     ("\\bone on top of other\\b", "one on top of the other"),
     ("\\b(?:just )?(?:slightly|a little|a bit|a little bit|a tiny bit) (?=(?:(?:to|on) the )?(?:left|right) of|in "
@@ -73,6 +76,8 @@ UNIDIOMATIC_AT_ONCE: tuple[Turn, ...] = (
     (" , so (?=(?:counted|read|seen|told|listed) from )", " , "),
     (f" , (?:it|this|that) is an? ({COLOR}) ({PATCH})$", " . the {2} is {1}"),
     (f"^(?:i |we )?need (?={MANY} {COLOR} {MANY} {COLOR})", ""),
+    (f"^(?:i |we )?need (?:to )?(?={_DOES} )", ""),
+    (f"\\b(not (?:on|beside|next to|touching|under)) other (?={CUBE}\\b)", "{1} another "),
     # the tower that is taken apart
     (f"^(unstack|dismantle|take apart|disassemble) (?!.*\\b(?:{LINE}|pile|{PATCH}|table)\\b)({THING}(?: "
      f"(?:on|on top of) {THING})+)(?=$| ,| and)", "{1} the tower of {2}"),

@@ -45,6 +45,9 @@ UNIDIOMATIC_AT_ONCE: tuple[Turn, ...] = (
     (f"^after ,? ?(?={_DOES} |{THING} (?:goes |comes )?{PLACE} {THING}$)", "then "),
     (f"^(first .+?) , (?:and )?after (?={THING} (?:goes |comes )?{PLACE} {THING}$)", "{1} , then "),
     (f"\\bthere is (?=(?!one\\b|1\\b){MANY}(?:$| of (?:them|each)\\b| {COLOR}\\b))", "there are "),
+    # what it does once more
+    ("\\b((?:it|they|one|block|cube|" f"{COLOR}|{LABEL}) (?:{MUST} )?(?:goes|go|comes|come)) back (?:up |down )?"
+     "(?=(?:on|onto|into|to) (?!the (?:left|right|front|back|far|near)\\b))", "{1} "),
     # which block of different sizes it is
     *((f"^(?=.*\\b(?:{_SIZED})\\b)(.*?)(?:\\bthe )?\\b(?:{sizes}){_WORDED}{_AT_END}", f"{{1}} the {most} one ")
       for sizes, most in (("big|large", "largest"), ("small|little|tiny", "smallest"))),

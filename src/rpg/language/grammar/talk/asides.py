@@ -239,7 +239,7 @@ def _emphatic(words: list[str], end: int) -> bool:
 
 def _left_open(tokens: list[Token], at: int) -> list[Token]:
     """A token; a comma for the "but" of "(next to it) but it does not matter on which side"."""
-    if tokens[at].word != "but" or [t.word for t in tokens[at + 1 : at + 5]] != ["it", "does", "not", "matter"]:
+    if tokens[at].word not in ("but", "and") or [t.word for t in tokens[at + 1 : at + 5]] != ["it", "does", "not", "matter"]:
         return [tokens[at]]
     return [tokens[at].saying(",")] if at and tokens[at - 1].word != "," else []
 

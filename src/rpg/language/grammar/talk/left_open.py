@@ -15,7 +15,8 @@ _YOU = "|".join(
     for who in ("you", "we", "they")
     for like in ("take", "pick", "choose", "use", "move", "like", "want", "please", "prefer", "fancy", "wish", "select")
 )
-_WHICH = f"which|what {_NUMBERS}? {_ONES}? {_THEM}? {_YOU}? it_is|they_are|that_is|those_are?"
+_WHERE = "|".join(f"{goes}_where" for goes in ("goes", "go", "is", "are", "comes", "stands", "ends_up", "gets_put"))
+_WHICH = f"which|what {_NUMBERS}? {_ONES}? {_THEM}? {_YOU}? it_is|they_are|that_is|those_are|{_WHERE}?"
 _MINE = "really|entirely|completely|totally|quite|all? up_to_you|up_to_the_robot|your_choice|your_decision|left_to_you"
 _VAIN = (f"{_MINE}|irrelevant|unimportant|immaterial|not_important|not_relevant|of_no_importance|all_the_same|all_one|"
          "no_matter to_me|to_us|for_me|here?")  # fmt: skip
@@ -61,8 +62,10 @@ def left_to_choose(p: Parser, at: int) -> int:
         told = {p.number(n) for n in range(at, end) if p.words[n - 1] != "the"} - {None, 1}
         if told and not told <= {p.number(n) for n in (*range(at), *range(end, p.end))}:
             continue
-        if _ONE.isdisjoint(p.words[at:end]) or _chosen_from(p, (*range(at), *range(end, p.end))):
-            return end
+        if not _ONE.isdisjoint(p.words[at:end]) and "where" not in p.words[at:end]:
+            if not _chosen_from(p, (*range(at), *range(end, p.end))):
+                continue
+        return end
     return 0
 
 

@@ -17,6 +17,7 @@ _FIGURE = "(?:[ltuv]|plus|plus sign|cross|pyramid|staircase|wall|grid|figure|sha
 
 EMPHATIC_AT_ONCE: tuple[Turn, ...] = (
     (f"(?: ,)?(?: and)? all of (?:that|this) (?=(?:{_LIES} |goes )?(?:in|on|onto|inside|within) )", " , all of them "),
+    ("\\b(?:please |kindly )*do the needful(?: (?:,|:))?(?: (?:and|to|by))?(?: please)? (?=\\w)", ""),
     ("\\bdo not (?:you )?(?:ever )?dare (?:to )?(?=(?:move|touch|put|place|stack|shift|push|turn|lift|use)\\b)",
      "do not "),
     (f"^(?:and )?nothing {_LIES} (?:on top of|on|atop|above) (?:anything|another thing|another block)(?: else)?$",
@@ -53,5 +54,5 @@ EMPHATIC: tuple[Turn, ...] = (
     ("\\b(?:in )?(?:a )?rainbow (?:fashion|style|manner)\\b", "in rainbow order"),
 )  # fmt: skip
 """What is looked for in a sentence that cannot be read, and what is said instead."""
-WORDS = ("dare",)
+WORDS = ("dare needful",)
 """Words that these take besides those that are read anyway."""

@@ -14,6 +14,7 @@ _SHOWING = "(?:with|(?:that|which) (?:show|bear|carry|have)|showing|bearing|carr
 _AS_FOR = "(?:as for|regarding|concerning|as regards|with regard to)"
 _WISH = "(?:i|we) (?:want|need|wish|prefer|would (?:like|love|prefer|want))(?: to (?:have|see|get))?"
 _SHOWN = f"(?: {_SHOWING} (?:an? |the )?(?:letter |number |digit )?{LABEL}(?: on (?:it|them|top))?)?"
+_UNMOVED = "alone|there|untouched|in place|unmoved|(?:as|where) (?:it is|they are)"
 _BARRED = "(?:not (?:allowed|permitted|ok|okay)|forbidden|prohibited|disallowed|banned|no go)"
 _DOES = "(?:put|place|stack|set|lay|build|make|move|take|arrange|form|bring)"
 _HAS = "(?:contains?|comprises?|have|has|consists? of)"
@@ -40,6 +41,11 @@ UNIDIOMATIC_AT_ONCE: tuple[Turn, ...] = (
     # who is meant is named ahead of its pronoun
     (f"^(?:{_AS_FOR} )?({THINGS}{_SHOWN}) , {_WISH} (?:it|them|these|those) ", "i want {1} "),
     (f" , and ({THING}) , it (?=(?:{MUST}|is|goes|stands|lies|sits|belongs) )", " , and {1} "),
+    (f"^((?:.* )?(?:,|but|, and) |)({THINGS}) (?:you |please )*(leave|keep) ({_UNMOVED})(?=$| ,| and)",
+     "{1} {3} {2} {4}"),
+    (f"^(?:please )?({PLACE} {THING}) ({THINGS}) (?:you |please )*(put|place|stack|set)$", "{3} {2} {1}"),
+    (f"\\b((?:take|grab|get|lift|pick|pick up) {THING} and(?: then)? (?:put|place|set|lay)) (?=(?:down )?(?:{PLACE}|to"
+     "|at) )", "{1} it "),
     # one thing and then the next: behind what is done, "after" with a bare verb is "after that"
     (f" , (?:and )?after (?={_DOES} )", " , then "),
     (f"^after ,? ?(?={_DOES} |{THING} (?:goes |comes )?{PLACE} {THING}$)", "then "),
@@ -66,6 +72,9 @@ UNIDIOMATIC_AT_ONCE: tuple[Turn, ...] = (
                          ("right", "rightmost"))),
     ("\\bon (?:the |all )?(?:(?:four|4) )?corners of the table\\b", "in the corners of the table"),
     ("\\bone on top of other\\b", "one on top of the other"),
+    ("\\bon top (?=each other\\b|one another\\b)", "on top of "),
+    ("\\b(?:with|in|of) (?:alternate|alternating) color\\b", "with alternating colors"),
+    ("^(?:please )?no (touch|move) (?=(?:the|it|them|any)\\b|" f"{THING})", "do not {1} "),
     ("\\b(?:just )?(?:slightly|a little|a bit|a little bit|a tiny bit) (?=(?:(?:to|on) the )?(?:left|right) of|in "
      "front of|behind)", ""),
     ("\\bwhich ever\\b", "whichever"),

@@ -62,10 +62,9 @@ def left_to_choose(p: Parser, at: int) -> int:
         told = {p.number(n) for n in range(at, end) if p.words[n - 1] != "the"} - {None, 1}
         if told and not told <= {p.number(n) for n in (*range(at), *range(end, p.end))}:
             continue
-        if not _ONE.isdisjoint(p.words[at:end]) and "where" not in p.words[at:end]:
-            if not _chosen_from(p, (*range(at), *range(end, p.end))):
-                continue
-        return end
+        one = not _ONE.isdisjoint(p.words[at:end]) and "where" not in p.words[at:end]
+        if not one or _chosen_from(p, (*range(at), *range(end, p.end))):
+            return end
     return 0
 
 

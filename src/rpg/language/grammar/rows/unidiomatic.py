@@ -72,6 +72,13 @@ UNIDIOMATIC_AT_ONCE: tuple[Turn, ...] = (
                          ("right", "rightmost"))),
     ("\\bon (?:the |all )?(?:(?:four|4) )?corners of the table\\b", "in the corners of the table"),
     ("\\bone on top of other\\b", "one on top of the other"),
+    ("\\bone (?:near|by|next to|beside|close to|near to) (?:an ?|the )?other(?: one)?\\b", "next to each other"),
+    (f"\\b((?:is|are|be|lies|stands|lie|stand|lying|standing|sits|placed) )(?:from|at|by) (?:the )?(left|right)(?: "
+     f"side)? of (?={THING})", "{1} to the {2} of "),
+    ("^(?:i am|we are) (?:wanting|needing|wishing(?: for)?|requiring) ", "i want "),
+    (f"\\b(tower|stack|row|line|column|wall) (?:which is |that is )?as (?:high|tall|long) as (?={MANY} "
+     f"{CUBE}s\\b)", "{1} of "),
+    (" ,? ?but (?=(?:start|starting|begin|beginning) (?:from|at|on) )", " , "),
     ("\\bon top (?=each other\\b|one another\\b)", "on top of "),
     ("\\b(?:with|in|of) (?:alternate|alternating) color\\b", "with alternating colors"),
     ("^(?:please )?no (touch|move) (?=(?:the|it|them|any)\\b|" f"{THING})", "do not {1} "),

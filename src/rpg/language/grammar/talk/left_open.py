@@ -182,7 +182,8 @@ FREE = (
     "i leave it to you", "i leave that to you", "i will leave that to you", "i leave the choice to you",
     "i leave it up to you", "i leave which to you", "that is up to you", "the choice is yours",
     *(f"{lead}{choice}" for lead in ("with the ", "with ", "the ", "") for choice in (
-        "colors however you like", "color however you like", "colors as you like", "colors of your choice",
+        "colors however you like", "colors you choose", "colors you like", "colors you pick",
+        "color however you like", "colors as you like", "colors of your choice",
         "colors up to you", "color up to you", "color of your choice", "colors are up to you", "color is up to you")),
 )  # fmt: skip
 """What leaves open what is open anyway, beside a comma or at an end of the sentence."""

@@ -140,7 +140,7 @@ def _letter(letter: str, before: str, behind: str, ahead: list[str]) -> list[str
     if letter == "c" and before in _MODALS | _SPOKEN_TO and (behind in _SEEN or behind.isdigit()):
         return ["see"]
     shape = before in ("a", "the", "letter", "one", "capital") or behind in _SHAPE
-    if letter == "u" and not shape and (behind in lexicon.COMMANDS | {"guys", "are", "r"} or before in _ASKING):
+    if letter == "u" and not shape and (behind in lexicon.COMMANDS | {"guys", "are", "r", "know"} or before in _ASKING):
         return ["you"]
     joins = before in ("pls", "plz", "please", "thx", "thanks") or before in lexicon.BLOCK
     if letter == "n" and (joins or (not shape and behind in lexicon.COMMANDS - _NOUNS and len(ahead) > 1)):

@@ -347,7 +347,18 @@ _WHOLE = (
     "photo|picture|sketch|drawing|image|diagram attached|enclosed|below|follows",
     "up|ready|game|feel_up for a|another|some|the? little|new|next? challenge|game|fun|it|puzzle|round",
     "dear sir|madam|sirs|colleagues|all or|and? madam|sir|colleagues?",
-    "last time it|this|that took ages|forever|hours|so_long",
+    "last time it|they|this|that took|fell|collapsed|broke|went ages|forever|hours|so_long|over|down|apart|wrong?",
+    "if you catch|get|see|take|know my|our|what_i drift|meaning|point|idea|mean",
+    "mark|heed|remember|trust my|our words|word|advice",
+    "please|and|but? careful|be_careful|take_care|try not to break|drop|damage|scratch|spill|lose anything|it|them|"
+    "something|any_of_them please|though|this_time?",
+    "as|like|just_as|the_way|how one|everyone|everybody|people|<who> always|usually|often|normally? does|do|did|wants|"
+    "want|likes|like|wanted|liked|asked|said|says it|this|that|things|so? always|best|today?",
+    "which|that is where|how|as it|they|he|she belongs|belong|should_be|likes_it|like_it",
+    "i|we can_not|could_not|can|could reach|do|manage|lift|get|see|find it|them|this|that myself|alone|ourselves|"
+    "any_more|anymore|well|properly?",
+    "nothing|not_much to it|that|this",
+    "come on ,? you|robot can|you_can do_it|do_this",
     "poor|bless|lucky|clever thing|her|him|them|you|me|boy|girl|dear|us",
 )
 TIMES = (

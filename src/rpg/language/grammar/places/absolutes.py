@@ -5,6 +5,7 @@ from __future__ import annotations
 from rpg.language.grammar.clauses.manners import manner
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.all_but_part import all_but_part
+from rpg.language.grammar.places.amid import amid, several
 from rpg.language.grammar.places.borne import bearing, borne
 from rpg.language.grammar.places.flanked import flanked
 from rpg.language.grammar.places.formed import formed
@@ -105,7 +106,7 @@ def absolute(p: Parser, i: int) -> Results[Meaning]:
         return  # "red with a blue block to its right that has a white one on it": of the blue one
     for first, end in said_inside(p, j, _one_absolute(p, j)):
         first_place = first.adjuncts[0]
-        if j == comma and isinstance(first_place, At) and _several(first.theme) and _has_comma(p, first.theme):
+        if j == comma and isinstance(first_place, At) and several(first.theme) and _has_comma(p, first.theme):
             continue  # "red, blue, red leftmost": told of the last one alone
         cost = 2 if _on_the_table(first_place) or (j == comma and isinstance(first_place, Loc)) else 0
         cost += isinstance(first_place, At)
@@ -118,11 +119,6 @@ def absolute(p: Parser, i: int) -> Results[Meaning]:
 
 def _on_the_table(place: Meaning) -> bool:
     return isinstance(place, Loc) and isinstance(place.landmark, TableTop)
-
-
-def _several(theme: Meaning) -> bool:
-    """Several looks without a number."""
-    return len(theme.traits.colors + theme.traits.labels) > 1 if isinstance(theme, Noun) else isinstance(theme, Coord)
 
 
 def _of_parts(p: Parser, i: int, comma: int) -> Results[Meaning]:
@@ -238,6 +234,7 @@ def _absolute_more(p: Parser, i: int, at_: int, had: tuple[Meaning, ...]) -> Res
     unit = unit_of(had[-1]) if isinstance(had[-1], Absolute) else ""
     more = list(_one_absolute(p, j, unit))
     more += [*_besides_these(p, j, had), *_there_too(p, j, had[-1])] if not then else ()
+    more = list(amid(p, j, had)) or more
     if then:
         more = [(one, end) for one, end in more if not _relative_to_it(one)]
         more += [

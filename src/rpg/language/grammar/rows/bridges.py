@@ -20,6 +20,9 @@ BRIDGES: tuple[Turn, ...] = (
      "put a {1} block across {2}"),
     (f"^((?:put |place |lay |set )?two {CUBE}s [^,.]*?) a third (?=(?:lying )?across (?:both|them|the two)\\b)",
      "{1} a third block"),
+    # which is a bridge, as is told
+    (f"\\b((?:on|across|over) (?:top of )?{_PAIR})(?: ,)? (?:just |a bit )?(?:like|as|forming|making) an? (?:\\w+ )?"
+     f"{_BRIDGE}(?=$| ,| and)", "{1}"),
     (f"^bridge {_PAIR} (?:with|by) ({THING})$", "put {2} across {1}"),
     (f"{_LET}({THING}) (?:{MUST} )?{_ACROSS} {_PAIR}$", "put {1} across {2}"),
     (f"^{_PAIR}(?: ,| {MUST} be| are)? (?:bridged|spanned) by ({THING})$", "put {2} across {1}"),

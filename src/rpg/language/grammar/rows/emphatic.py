@@ -16,6 +16,10 @@ _PART = "corner|middle|center|central|end|top|bottom|lowest|highest|topmost|left
 _FIGURE = "(?:[ltuv]|plus|plus sign|cross|pyramid|staircase|wall|grid|figure|shape|letter)"
 
 EMPHATIC_AT_ONCE: tuple[Turn, ...] = (
+    (f"(?: ,)?(?: and)? all of (?:that|this) (?=(?:{_LIES} |goes )?(?:in|on|onto|inside|within) )", " , all of them "),
+    ("\\b(?:please |kindly )*do the needful(?: (?:,|:))?(?: (?:and|to|by))?(?: please)? (?=\\w)", ""),
+    ("\\bdo not (?:you )?(?:ever )?dare (?:to )?(?=(?:move|touch|put|place|stack|shift|push|turn|lift|use)\\b)",
+     "do not "),
     (f"^(?:and )?nothing {_LIES} (?:on top of|on|atop|above) (?:anything|another thing|another block)(?: else)?$",
      "no block must be on another block"),
     ("\\b(carry|carries|support|supports|bear|bears) (.+?)(?: ,)? respectively$", "{1} {2}"),
@@ -50,3 +54,5 @@ EMPHATIC: tuple[Turn, ...] = (
     ("\\b(?:in )?(?:a )?rainbow (?:fashion|style|manner)\\b", "in rainbow order"),
 )  # fmt: skip
 """What is looked for in a sentence that cannot be read, and what is said instead."""
+WORDS = ("dare needful",)
+"""Words that these take besides those that are read anyway."""

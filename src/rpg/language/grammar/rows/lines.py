@@ -144,6 +144,7 @@ LINED_AT_ONCE: tuple[Turn, ...] = (
     (f"^use (?:only )?(?:the )?(?:colors )?({COLOR}(?: , {COLOR})*(?: ,)? (?:and )?{COLOR})(?: blocks| cubes)?$",
      "there are {1} blocks"),
     # what is at the ends
+    ("\\b((?:row|line)\\b.*?) at the (?:far |very )?(left|right) of it\\b", "{1} at the {2} end"),
     (f"^{_ONE} (?:at|on|to) the left end of {_ROW}$", "a {2} , from left to right : {1} , then {3}"),
     (f"^{_ONE} (?:at|on|to) the right end of {_ROW}$", "a {2} , from left to right : {3} , then {1}"),
     (f"^(?:the|an?) ({_ROW_OR_LINE} of [^:]+?) (?:has|{MUST} have) ([^:]*) at its ({END}) end(.* at its \\w+ end)?$",
@@ -178,6 +179,11 @@ RAINBOWS_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b(?:pattern|sequence) : ((?:{COLOR}(?: , and| ,| and)? )+)in an? ({_LINE})$", "{2} : {1}"),
     ("\\b(?:with|having) (?:the |their )?colors in (?:the )?(?:rainbow order|order of (?:the|a) rainbow)\\b",
      "in rainbow order"),
+    (f"^((?:an? )?(?:rainbow|gradient) {_LINE}) : (?:the )?((?:{COLOR} (?:, and |, |and )?)+)(?:blocks |cubes )?, "
+     f"(?=(?:the )?{COLOR} (?:block |one )?(?:\\w+most|lowest|highest|(?:on|at|to) the|first|last|left|right|top|"
+     "bottom))", "{1} of {2} blocks , "),
+    ("\\b((?:rainbow|gradient|alphabetical|ascending|descending|numerical)\\b.*?) in (?:the|their) (?:right |correct |"
+     "appropriate )?(?:places|positions|spots|order) (?=(?:in )?between\\b)", "{1} "),
     # where it begins
     (f"(\\brainbow order|\\bgradient .+?)(?: ,| -)? (?:(?:which|that|and|it|and it|the {_LINE}) )?(?:{MUST} "
      f")?(?:begins|begin|starts|start) with ((?:the )?{COLOR}\\b)", "{1} , beginning with {2}"),

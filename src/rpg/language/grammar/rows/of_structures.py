@@ -12,7 +12,10 @@ _SHOWS = "(?:with|showing|bearing|marked|labelled|labeled)"
 
 OF_STRUCTURES_AT_ONCE: tuple[Turn, ...] = (
     ("\\bstacked and (?:stand|stands|lie|lies|sit|sits|rest|rests) (?=on )", "stacked "),
-    (f"\\bthe one {_SHOWS} (?:the )?(?:digit |number |letter |label )?({LABEL})", "the block {1}"),
+    *(
+        (f"\\bthe one {_SHOWS} (?:(?:{a}) )?(?:digit |number |letter |label )?({LABEL}){there}", "the block {1}")
+        for a, there in (("an?|the", " on it"), ("the", ""))
+    ),
 )
 """What is read otherwise, or not at all, as it stands."""
 OF_STRUCTURES: tuple[Turn, ...] = (

@@ -46,6 +46,11 @@ PLACES = {
             "|(?:anywhere |somewhere )?(?:in )?between(?: (?:them|those|these|those two|the two|these two))?",
 }  # fmt: skip
 """Where blocks stand in a line: at one of its ends, in the middle, at both ends, or where nothing else is."""
+INNER = (
+    f"(?P<thing>.+?)(?: {IS})? (?:next to|beside|inside) (?:(?:each|both|either|every one)(?: of (?:them|these|those)| "
+    f"end| of the ends| {COLOR})?|them|those|these|that|the ends|the (?:two )?{COLOR}s?)(?: {_NOUN}s?)?"
+)
+"""What is said so of both ends of the line, of what is next to them."""
 ASIDE = {
     "left": "(?:to|on) its left(?: side)?|(?:to|on) the left of it",
     "right": "(?:to|on) its right(?: side)?|(?:to|on) the right of it",

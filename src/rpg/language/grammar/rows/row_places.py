@@ -87,7 +87,8 @@ def word_of(tokens: list[Token], n: int) -> str:
     return f"@{token.word}" if label and token.kind == "word" else token.word.replace(" ", "_") or "_"
 
 
-_AFTER_A = frozenset({*lexicon.COLOR, *lexicon.BLOCK, "row", "line", "column", "single", "straight", "lone"})
+_AFTER_A = frozenset({*lexicon.COLOR, *lexicon.BLOCK, "row", "line", "column", "single", "straight", "lone",
+                      "symmetric", "symmetrical", "mirrored", "mirror", "palindromic"})  # fmt: skip
 
 
 def _token(word: str, span: tuple[int, int]) -> Token:
@@ -114,7 +115,8 @@ def _in_order(text: str, ends: tuple[str, str], size: int | None, mirrored: bool
     bare = len(parts) > 1 and parts[0].place == "" and size is not None and all(p.place == "next" for p in parts[1:])
     parts = [replace(parts[0], place=ends[0]), *parts[1:]] if bare else parts
     parts = _counted(parts, size, stock)
-    outwards = {part.place for part in parts} == {"middle", "ends"}
+    taken = {part.place for part in parts}
+    outwards = taken == {"middle", "ends"} or (taken == {"ends", "inner"} and size is not None)
     laid = _laid(parts, ends) if len(parts) > (1 if bare or stock or outwards else 2) else []
     if not laid or (size is not None and size != len(laid)) or (stock and Counter(laid) != stock):
         return []
@@ -142,7 +144,7 @@ def _counted(parts: list[_Part], size: int | None, stock: Counter[str]) -> list[
     told = [replace(p, many=0) if p.place == "rest" and p.bare and size is not None else p for p in told]
     around = {p.place for p in told} == {"middle", "sides"} and size is not None and size % 2 == 1
     told = [replace(p, place="ends", many=0 if around else p.many) if p.place == "sides" else p for p in told]
-    told = [replace(p, many=2) if p.place == "ends" and p.many in (0, 1) and not around else p for p in told]
+    told = [replace(p, many=2) if p.place in _PAIRS and p.many in (0, 1) and not around else p for p in told]
     open_ones = [p for p in told if p.many == 0]
     left = (size or 0) - sum(p.many for p in told)
     if len(open_ones) > 1 or (open_ones and left < 1):
@@ -165,6 +167,9 @@ def _part(said: str, ends: tuple[str, str], before: list[_Part]) -> _Part | None
             begins = told.groupdict().get("verb", "ends")[0] in "sb"
             side = next((x for x in sides if x), ends[0] if begins else ends[1])
             return _thing(told["thing"], side) if side in ends else None
+    told = re.fullmatch(w.INNER, said) if before and before[-1].place == "ends" else None
+    if told is not None and (part := _thing(told["thing"], "inner")) is not None:
+        return part
     if (told := re.fullmatch(w.NEXT, said)) is not None:
         thing = next(x for x in (told["thing"], told["thing1"], told["thing2"], told["thing3"]) if x)
         part = _thing(thing, "next")
@@ -246,7 +251,7 @@ def _laid(parts: list[_Part], ends: tuple[str, str]) -> list[str]:
                 if n == 0 or parts[n - 1].place in ("middle", "rest"):
                     return []
                 begin = last + 1 if way > 0 else last - part.many
-            case "":
+            case "" | "inner":
                 return []
             case "middle" | "rest":
                 late.append(part)
@@ -277,8 +282,13 @@ def _laid(parts: list[_Part], ends: tuple[str, str]) -> list[str]:
     return [there[k] for k in range(total)] if len(there) == total else []
 
 
+_PAIRS = frozenset({"ends", "inner"})
+"""Places that there are two of."""
+
+
 def _both_ends(part: _Part, ends: tuple[str, str]) -> list[_Part]:
-    """Half of what is at both ends at each of them."""
-    if part.place != "ends" or part.many % 2:
+    """Half of what is at both ends, or next to them, at each of them."""
+    if part.place not in _PAIRS or part.many % 2 or (part.place == "inner" and part.many > 2):
         return [part]
-    return [replace(part, many=part.many // 2, place=end) for end in ends]
+    places = ends if part.place == "ends" else (1, -2)
+    return [replace(part, many=part.many // 2, place=place) for place in places]

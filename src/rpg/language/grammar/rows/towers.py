@@ -45,7 +45,15 @@ _SPOT = "(?:to the left of|to the right of|left of|right of|in front of|behind|n
 
 _LABELS = "\\S(?:(?: ,| and| , and)? \\S)+"
 
+_SOME_TOWERS = f"(?:(?:build|make|put up|form|i want|we need) )?{MANY} (?:{COLOR} )?{_TOWERS}"
+
 TOWERS_AT_ONCE: tuple[Turn, ...] = (
+    # each of several in short: "two gray towers, height two on the red mat, three high on the blue one"
+    (f"^((?:build |make )?{MANY}) ({_TOWERS})(?: ,)? (?:both|all) ({COLOR})(?= (?::|,))", "{1} {3} {2}"),
+    (f"^({_SOME_TOWERS}\\b[^.]*?(?: :| ,| and)) (?:height (?:of )?({MANY})|({MANY})(?: {_BLOCKS}(?: high| tall)?| "
+     "high| tall))(?= (?:on|in) )", "{1} one of height {2} {3}"),
+    (f"^({_SOME_TOWERS}\\b[^.]*?(?: :| ,| and)) the (?:one|tower|stack)(?: that is)? (on [^,.]+?)(?: {_IS})? (?:of "
+     f"height )?({MANY})(?: {_BLOCKS})?(?: high| tall)(?=$| ,| and)", "{1} one of height {3} {2}"),
     # what comes on top, and not on what
     ("^((?:(?!\\b(?:bottom|base|middle|below|under|ground) ).)*?\\b(?:stack|pile|put|place|tower) "
      "(?:(?!\\b(?:bottom|base|middle|below|under|ground) ).)*?)(?: ,)? and on (?:the )?(?:very )?top "

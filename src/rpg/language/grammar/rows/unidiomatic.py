@@ -3,16 +3,20 @@ my right", "starting at the left with the biggest", "the one beside the other", 
 
 from __future__ import annotations
 
-from rpg.language.grammar.rows.said_short import LABEL, PLACE, THING
+from rpg.language.grammar.rows.said_short import LABEL, PLACE, THING, THINGS
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import AND, COLOR, CUBE, END, LENGTH, LINE, MANY, MUST, PATCH, PATCHES
 
 _WHO = "(?:my|your|our|his|her|(?:the |a )?(?:viewer|observer|robot|camera|reader|onlooker|spectator) 's)"
 _FIRST = "(biggest|largest|highest|smallest|lowest)(?: one| number| digit)?"
 _PART = "(lowest|bottom|uppermost|topmost|top|highest|middle|leftmost|rightmost)(?: one| block| cube)?"
+_SHOWING = "(?:with|(?:that|which) (?:show|bear|carry|have)|showing|bearing|carrying)"
+_AS_FOR = "(?:as for|regarding|concerning|as regards|with regard to)"
+_WISH = "(?:i|we) (?:want|need|wish|prefer|would (?:like|love|prefer|want))(?: to (?:have|see|get))?"
+_SHOWN = f"(?: {_SHOWING} (?:an? |the )?(?:letter |number |digit )?{LABEL}(?: on (?:it|them|top))?)?"
+_UNMOVED = "alone|there|untouched|in place|unmoved|(?:as|where) (?:it is|they are)"
 _BARRED = "(?:not (?:allowed|permitted|ok|okay)|forbidden|prohibited|disallowed|banned|no go)"
 _DOES = "(?:put|place|stack|set|lay|build|make|move|take|arrange|form|bring)"
-_SHOWING = "(?:with|(?:that|which) (?:show|bear|carry|have)|showing|bearing|carrying)"
 _HAS = "(?:contains?|comprises?|have|has|consists? of)"
 _STAY = "(?:leave|keep)"
 _GERUNDS = ("moving", "touching", "shifting", "disturbing", "lifting", "turning", "changing", "breaking", "destroying")
@@ -35,12 +39,21 @@ UNIDIOMATIC_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b(?:the (?:cubes|blocks|ones)|those) {_SHOWING} the {_SORT} (?=(?:\\w|\\d) (?:,|and) )"
      "(?!.*\\bon (?:them|it)\\b)", "the {1} "),
     # who is meant is named ahead of its pronoun
+    (f"^(?:{_AS_FOR} )?({THINGS}{_SHOWN}) , {_WISH} (?:it|them|these|those) ", "i want {1} "),
     (f" , and ({THING}) , it (?=(?:{MUST}|is|goes|stands|lies|sits|belongs) )", " , and {1} "),
+    (f"^((?:.* )?(?:,|but|, and) |)({THINGS}) (?:you |please )*(leave|keep) ({_UNMOVED})(?=$| ,| and)",
+     "{1} {3} {2} {4}"),
+    (f"^(?:please )?({PLACE} {THING}) ({THINGS}) (?:you |please )*(put|place|stack|set)$", "{3} {2} {1}"),
+    (f"\\b((?:take|grab|get|lift|pick|pick up) {THING} and(?: then)? (?:put|place|set|lay)) (?=(?:down )?(?:{PLACE}|to"
+     "|at) )", "{1} it "),
     # one thing and then the next: behind what is done, "after" with a bare verb is "after that"
     (f" , (?:and )?after (?={_DOES} )", " , then "),
     (f"^after ,? ?(?={_DOES} |{THING} (?:goes |comes )?{PLACE} {THING}$)", "then "),
     (f"^(first .+?) , (?:and )?after (?={THING} (?:goes |comes )?{PLACE} {THING}$)", "{1} , then "),
     (f"\\bthere is (?=(?!one\\b|1\\b){MANY}(?:$| of (?:them|each)\\b| {COLOR}\\b))", "there are "),
+    # what it does once more
+    ("\\b((?:it|they|one|block|cube|" f"{COLOR}|{LABEL}) (?:{MUST} )?(?:goes|go|comes|come)) back (?:up |down )?"
+     "(?=(?:on|onto|into|to) (?!the (?:left|right|front|back|far|near)\\b))", "{1} "),
     # which block of different sizes it is
     *((f"^(?=.*\\b(?:{_SIZED})\\b)(.*?)(?:\\bthe )?\\b(?:{sizes}){_WORDED}{_AT_END}", f"{{1}} the {most} one ")
       for sizes, most in (("big|large", "largest"), ("small|little|tiny", "smallest"))),
@@ -54,8 +67,21 @@ UNIDIOMATIC_AT_ONCE: tuple[Turn, ...] = (
      "another))?(?! with\\b)", "swap places"),
     (f"\\b(leave|keep|have) gap(?: of)? ((?:about |exactly )?{LENGTH})", "{1} a gap of {2}"),
     ("\\b(is|are|goes|comes|be) (?:at )?(?:the )?most (top|bottom|left|right)(?=$| ,| and)", "{1} at the {2}"),
+    *((f"\\b(?:the )?most (?:{said})(?: away)?\\b(?! of)", most)
+      for said, most in (("near", "nearest"), ("close", "closest"), ("far", "farthest"), ("left", "leftmost"),
+                         ("right", "rightmost"))),
     ("\\bon (?:the |all )?(?:(?:four|4) )?corners of the table\\b", "in the corners of the table"),
     ("\\bone on top of other\\b", "one on top of the other"),
+    ("\\bone (?:near|by|next to|beside|close to|near to) (?:an ?|the )?other(?: one)?\\b", "next to each other"),
+    (f"\\b((?:is|are|be|lies|stands|lie|stand|lying|standing|sits|placed) )(?:from|at|by) (?:the )?(left|right)(?: "
+     f"side)? of (?={THING})", "{1} to the {2} of "),
+    ("^(?:i am|we are) (?:wanting|needing|wishing(?: for)?|requiring) ", "i want "),
+    (f"\\b(tower|stack|row|line|column|wall) (?:which is |that is )?as (?:high|tall|long) as (?={MANY} "
+     f"{CUBE}s\\b)", "{1} of "),
+    (" ,? ?but (?=(?:start|starting|begin|beginning) (?:from|at|on) )", " , "),
+    ("\\bon top (?=each other\\b|one another\\b)", "on top of "),
+    ("\\b(?:with|in|of) (?:alternate|alternating) color\\b", "with alternating colors"),
+    ("^(?:please )?no (touch|move) (?=(?:the|it|them|any)\\b|" f"{THING})", "do not {1} "),
     ("\\b(?:just )?(?:slightly|a little|a bit|a little bit|a tiny bit) (?=(?:(?:to|on) the )?(?:left|right) of|in "
      "front of|behind)", ""),
     ("\\bwhich ever\\b", "whichever"),
@@ -69,6 +95,8 @@ UNIDIOMATIC_AT_ONCE: tuple[Turn, ...] = (
     (" , so (?=(?:counted|read|seen|told|listed) from )", " , "),
     (f" , (?:it|this|that) is an? ({COLOR}) ({PATCH})$", " . the {2} is {1}"),
     (f"^(?:i |we )?need (?={MANY} {COLOR} {MANY} {COLOR})", ""),
+    (f"^(?:i |we )?need (?:to )?(?={_DOES} )", ""),
+    (f"\\b(not (?:on|beside|next to|touching|under)) other (?={CUBE}\\b)", "{1} another "),
     # the tower that is taken apart
     (f"^(unstack|dismantle|take apart|disassemble) (?!.*\\b(?:{LINE}|pile|{PATCH}|table)\\b)({THING}(?: "
      f"(?:on|on top of) {THING})+)(?=$| ,| and)", "{1} the tower of {2}"),
@@ -140,9 +168,8 @@ UNIDIOMATIC: tuple[Turn, ...] = (
     *((f"^one {does}s (?=(?:the|an?|both|all|{MANY}) )", f"{does} ") for does in _DOES.strip("(?:)").split("|")),
     (f"^there (?:is|are) to ({_DOES}) ", "{1} "),
     (f"^is there (?:an?|any) (?:way|chance|possibility|option)(?: for| that) ({THING}) to ", "{1} must "),
-    (f"^(?:as for|regarding|concerning|as regards|with regard to) ({THING}) [:,] ({_DOES}) it ", "{2} {1} "),
-    (f"^(?:as for|regarding|concerning|as regards|with regard to) ({THING}) [:,] it (?={MUST} |is |goes |belongs )",
-     "{1} "),
+    (f"^{_AS_FOR} ({THING}) [:,] ({_DOES}) it ", "{2} {1} "),
+    (f"^{_AS_FOR} ({THING}) [:,] it (?={MUST} |is |goes |belongs )", "{1} "),
     ("\\b(each|every) (block|cube|one) (?:in|of|with|having) another color\\b", "{1} {2} in a different color"),
     ("^are ([^,]+?) able to be ", "can {1} be "),
     ("\\bbe interchanged\\b", "be swapped"),

@@ -67,7 +67,8 @@ _DOWN = Patterns(
 _PAGED = Patterns(
     "reading|read|going|running|always|ordered|so_that_they_read? from? the? left to the? right "
     "and|,|and_then|,_and|,_then from? the? top|far|back to the? bottom|near|front side|row?",
-    "so|so_that you|i|we|one can read them|it in_order|like_a_page|like_a_book",
+    "so|so_that you|i|we|one can? read|reads them|it in_order",
+    "so|so_that you|i|we|one can? read|reads them|it in_order? like|as a_page|on_a_page|a_book|in_a_book",
     "like a page|book of_a_book?",
     "row by|after row from? left_to_right?",
     "as|like on a page",

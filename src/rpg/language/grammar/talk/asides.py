@@ -26,8 +26,7 @@ _ANYWHERE = (
     "once upon a time", "as a result", "long story short", "in short", "as discussed", "as agreed", "as requested",
     "to sum up", "in summary", "pretty please", "as promised", "as usual", "as mentioned", "as planned",
     "all in all", "um", "umm", "uh", "uhm", "er", "erm", "ehm", "eh", "hmm", "hmmm", "hm", "ah", "oh",
-    "let me think", "let me see",
-    "yeah", "yep", "yup", "yo", "lol", "haha",
+    "let me think", "let me see", "yeah", "yep", "yup", "yo", "lol", "haha", "mind you",
     "cheers", "thx", "ty", "tx", "thanks", "thanks a lot", "thanks so much", "thanks in advance", "many thanks",
     "thank you", "thank you very much", "thank you so much", "please", "pls", "plz", "please and thank you",
     "idk", "tbh", "btw", "by the way", "imo", "fyi", "i guess", "i suppose", "you know", "dunno", "i do not know",
@@ -239,7 +238,8 @@ def _emphatic(words: list[str], end: int) -> bool:
 
 def _left_open(tokens: list[Token], at: int) -> list[Token]:
     """A token; a comma for the "but" of "(next to it) but it does not matter on which side"."""
-    if tokens[at].word != "but" or [t.word for t in tokens[at + 1 : at + 5]] != ["it", "does", "not", "matter"]:
+    told = [t.word for t in tokens[at + 1 : at + 5]]
+    if tokens[at].word not in ("but", "and") or told != ["it", "does", "not", "matter"]:
         return [tokens[at]]
     return [tokens[at].saying(",")] if at and tokens[at - 1].word != "," else []
 

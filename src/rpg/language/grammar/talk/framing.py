@@ -260,11 +260,14 @@ _VIEWS = Classes(
             "the|my|our table|row|tower|stack|line|column|blocks|cubes|letters|word|desk|digit|letter",
         ),
         "side": ("point_of_view|perspective|side|view|viewpoint|angle|position|seat|chair|place|standpoint|eyes",),
-        "here": ("i|we|you|the_viewer|the_camera|the_robot sit|sits|stand|stands|am|are|is|look|looks",),
+        "here": (
+            "i|we|you|the_viewer|the_camera|the_robot sit|sits|stand|stands|am|are|is|look|looks",
+            "i|we|you|the_viewer|the_camera|the_robot am|are|is sitting|standing|seated|looking",
+        ),
     }
 )
 VIEW = Patterns(
-    "when|if|as|while|whenever <person> <look> at|upon? <thing>? from_above|straight_from_above|from_here?",
+    "when|if|as|while|whenever|how <person> <look> at|upon? <thing>? from_above|straight_from_above|from_here?",
     "when|if looking|looked|viewed|seen|read at|upon? <thing>? by|from|for <viewer>",
     "when looking|reading at? <thing>",
     "as? seen|viewed|looked_at|visible? from where <here>",

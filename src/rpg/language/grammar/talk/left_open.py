@@ -15,7 +15,8 @@ _YOU = "|".join(
     for who in ("you", "we", "they")
     for like in ("take", "pick", "choose", "use", "move", "like", "want", "please", "prefer", "fancy", "wish", "select")
 )
-_WHICH = f"which|what {_NUMBERS}? {_ONES}? {_THEM}? {_YOU}? it_is|they_are|that_is|those_are?"
+_WHERE = "|".join(f"{goes}_where" for goes in ("goes", "go", "is", "are", "comes", "stands", "ends_up", "gets_put"))
+_WHICH = f"which|what {_NUMBERS}? {_ONES}? {_THEM}? {_YOU}? it_is|they_are|that_is|those_are|{_WHERE}?"
 _MINE = "really|entirely|completely|totally|quite|all? up_to_you|up_to_the_robot|your_choice|your_decision|left_to_you"
 _VAIN = (f"{_MINE}|irrelevant|unimportant|immaterial|not_important|not_relevant|of_no_importance|all_the_same|all_one|"
          "no_matter to_me|to_us|for_me|here?")  # fmt: skip
@@ -61,7 +62,8 @@ def left_to_choose(p: Parser, at: int) -> int:
         told = {p.number(n) for n in range(at, end) if p.words[n - 1] != "the"} - {None, 1}
         if told and not told <= {p.number(n) for n in (*range(at), *range(end, p.end))}:
             continue
-        if _ONE.isdisjoint(p.words[at:end]) or _chosen_from(p, (*range(at), *range(end, p.end))):
+        one = not _ONE.isdisjoint(p.words[at:end]) and "where" not in p.words[at:end]
+        if not one or _chosen_from(p, (*range(at), *range(end, p.end))):
             return end
     return 0
 
@@ -180,7 +182,8 @@ FREE = (
     "i leave it to you", "i leave that to you", "i will leave that to you", "i leave the choice to you",
     "i leave it up to you", "i leave which to you", "that is up to you", "the choice is yours",
     *(f"{lead}{choice}" for lead in ("with the ", "with ", "the ", "") for choice in (
-        "colors however you like", "color however you like", "colors as you like", "colors of your choice",
+        "colors however you like", "colors you choose", "colors you like", "colors you pick",
+        "color however you like", "colors as you like", "colors of your choice",
         "colors up to you", "color up to you", "color of your choice", "colors are up to you", "color is up to you")),
 )  # fmt: skip
 """What leaves open what is open anyway, beside a comma or at an end of the sentence."""

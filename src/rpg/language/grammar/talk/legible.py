@@ -12,7 +12,10 @@ from rpg.language.phrases import Classes
 from rpg.language.tokens import Token
 
 _THERE = "from the? front|camera|viewer|robot|robot_'s_side|camera_'s_side"
-_HERE = "from_here|from_in_front|from_my_side|from_where_i_sit|from_my_seat|from_our_side|from_there"
+_HERE = (
+    "from_here|from_in_front|from_my_side|from_where_i_sit|from_where_i_am_sitting|from_my_seat|from_my_chair|"
+    "from_our_side|from_there"
+)
 _SITTING = "who_sits|who_is|sitting|standing|seated? in_front|at_the_table|in_front_of_the_table|in_front_of_it?"
 _WHAT = (
     "them|it|everything|all_of_them|the_numbers|the_letters|the_symbols|the_digits|what_they_show|what_is_on_them|"

@@ -3,6 +3,8 @@ red mat or on the green mat": what each may do is one thing, too."""
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 from rpg.language.meaning import Chain, Clause, Coord, Loc, Manner, Meaning, Noun, Pronoun, replace
 from rpg.passes.schema.resolve.things.world import refuse
 
@@ -69,3 +71,16 @@ def _puts_it(taken: Clause, link: str, clause: Clause) -> bool:
     bare = taken.verb == "pick" and not taken.adjuncts and not taken.negated and taken.theme is not None
     it = isinstance(clause.theme, Pronoun) and clause.theme.word in _IT
     return bare and link == "and" and clause.verb in _PUTS and it and not clause.negated
+
+
+def named_ahead(chain: Chain) -> Chain:
+    """ "There shall be a blue cube, and on it a yellow one": it only has to be there for what is told of it."""
+    clauses = list(chain.clauses)
+    for n, (one, behind) in enumerate(pairwise(clauses)):
+        named = isinstance(one, Clause) and one.verb == "exist" and one.mode == "goal" and not one.lemma
+        if not named or not isinstance(one, Clause) or one.negated or one.adjuncts or not isinstance(behind, Clause):
+            continue
+        marks = [place.landmark for place in behind.adjuncts if isinstance(place, Loc)]
+        if chain.links[n + 1] == "and" and any(isinstance(mark, Pronoun) and mark.word == "it" for mark in marks):
+            clauses[n] = replace(one, mode="given")
+    return replace(chain, clauses=tuple(clauses))

@@ -23,7 +23,7 @@ from rpg.language.meaning import (
     replace,
 )
 from rpg.passes.schema.resolve.clauses.again_later import comes_later
-from rpg.passes.schema.resolve.clauses.as_one import each_by_itself, put_at_once
+from rpg.passes.schema.resolve.clauses.as_one import each_by_itself, named_ahead, put_at_once
 from rpg.passes.schema.resolve.clauses.clauses import clause_goals, not_both
 from rpg.passes.schema.resolve.clauses.one_or_all import one_or_all
 from rpg.passes.schema.resolve.clauses.staged import staged
@@ -40,7 +40,7 @@ Goals = list[g.Goal]
 
 def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
     """The goals of a chain of clauses; those about the start go to the scene instead."""
-    chain = put_at_once(each_by_itself(turned_as_well(chain)))
+    chain = put_at_once(each_by_itself(named_ahead(turned_as_well(chain))))
     if timed(chain):
         return chain_goals(untimed(chain), scene, start)
     chain = _earlier_first(in_that_order(_told_of_the_end(and_in_the_end(chain))))

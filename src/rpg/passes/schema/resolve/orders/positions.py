@@ -97,7 +97,7 @@ def positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> Pl
             way = -1 if place.side in FAR_ENDS else 1
         last = last + 1 - len(found) if way < 0 else last
         swapped |= kind == "stack" and place.side in ("ends", "outer")
-        free = isinstance(place, At) and place.side in SIDES[kind] and not isinstance(item.theme, Noun)
+        free = isinstance(place, At) and place.side in (*SIDES[kind], "middle") and not isinstance(item.theme, Noun)
         free = free or (isinstance(item.theme, Noun) and not item.theme.traits.labels)
         bunches += [found] if free or len({looks(scene.things[n]) for n in found}) == 1 else []
         parts.append(place)

@@ -122,7 +122,7 @@ class Reader(Verbs):
         if self.text(at) == "which":
             found += [(Clause(Pronoun("which"), said, "must"), end) for said, end in self.verbs(at + 1)]
         for side, begin in self.counting(at):
-            found += [(replace(said, subject=counted(said.subject, side)), end) for said, end in self.clause(begin)]
+            found += [(counted(said, side), end) for said, end in self.clause(begin)]
         if begin := self.past_any(at, *_START, *(f"{start} ," for start in _START), "start :"):
             found += [(replace(said, mood="start"), end) for said, end in self.clause(begin)]
         if first := self.past_any(at, "first", "first ,", "first of all ,"):

@@ -120,7 +120,8 @@ def _ranked(scene: Scene, found: list[int], noun: Noun) -> list[int]:
                 raise Unclear
             found = [0 if rank == "former" else 1]
         else:
-            found = [n for n in found if _is_farthest(scene, n, found, rank)]
+            among = Ref("figure", found)
+            found = [n for n in found if is_farthest(scene, n, among, rank)]
     if noun.nth:
         if noun.nth > len(found):
             raise Unclear
@@ -128,29 +129,29 @@ def _ranked(scene: Scene, found: list[int], noun: Noun) -> list[int]:
     return found
 
 
-def _is_farthest(scene: Scene, n: int, found: list[int], rank: str) -> bool:
-    """Whether a figure is said to be on that side of all others of these."""
+def is_farthest(scene: Scene, n: int, among: Ref, rank: str) -> bool:
+    """Whether one of several is said to be on that side of all others, or between them."""
+    others = [m for m in among.ids if m != n]
     if rank == "middle":
-        sides = [r for r in ("left", "near") if all(_is_between(scene, n, found, r) for _ in found)]
+        sides = [r for r in ("left", "near") if _is_between(scene, n, others, among.kind, r)]
         return bool(sides)
     if rank not in TOWARD:
         raise Unclear
-    return all(_is_toward(scene, n, other, rank) for other in found if other != n)
+    return all(_is_toward(scene, n, other, among.kind, rank) for other in others)
 
 
-def _is_between(scene: Scene, n: int, found: list[int], rank: str) -> bool:
-    others = [m for m in found if m != n]
-    toward = [m for m in others if _is_toward(scene, n, m, rank)]
-    away = [m for m in others if _is_toward(scene, m, n, rank)]
+def _is_between(scene: Scene, n: int, others: list[int], kind: str, rank: str) -> bool:
+    toward = [m for m in others if _is_toward(scene, n, m, kind, rank)]
+    away = [m for m in others if _is_toward(scene, m, n, kind, rank)]
     return len(toward) == len(away) and len(toward) + len(away) == len(others) > 0
 
 
-def _is_toward(scene: Scene, a: int, b: int, rank: str) -> bool:
+def _is_toward(scene: Scene, a: int, b: int, kind: str, rank: str) -> bool:
     return any(
         (fact.said.endswith(TOWARD[rank]) and fact.a.ids == [a] and fact.b.ids == [b])
         or (fact.said.endswith(TOWARD[OPPOSITE[rank]]) and fact.a.ids == [b] and fact.b.ids == [a])
         for fact in scene.facts
-        if fact.a.kind == "figure" and fact.b is not None and fact.b.kind == "figure" and not fact.no
+        if fact.b is not None and fact.a.kind == fact.b.kind == kind and not fact.no
     )
 
 

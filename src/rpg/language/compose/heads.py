@@ -97,7 +97,8 @@ class Heads(Measures):
             yield with_color, at + 1
             yield from self._head(at + 1, replace(with_color, many=False))
         if text in RANK:
-            yield from self._head(at + 1, replace(noun, ranks=(*noun.ranks, RANK[text])))
+            behind = at + 1 + (self.text(at + 1) in {"hand", "most"})  # "the right-hand one"
+            yield from self._head(behind, replace(noun, ranks=(*noun.ranks, RANK[text])))
             if noun.det == "the" and (RANK[text] in _ALONE or item.raw.lower() in _UTMOST):
                 yield replace(noun, ranks=(*noun.ranks, RANK[text]), noun="one"), at + 1
         if noun.ranks and not noun.count and item.number > 1 and noun.det == "the":

@@ -95,7 +95,8 @@ def items_of(tokens: Sequence[Token]) -> list[Item] | None:
             mark = {"(": ",", ")": ",", "-": ",", "–": ",", "—": ",", "&": "and"}.get(word, word)
             if mark == ";" and found and found[-1].text == ".":
                 return None  # a numbered list tells an order
-            found.append(Item(mark, token.raw))
+            if not (mark == "," and found and found[-1].text == ","):  # an idle word stood between two
+                found.append(Item(mark, token.raw))
         else:
             found.append(_word(token, word))
     return found

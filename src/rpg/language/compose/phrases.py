@@ -89,6 +89,8 @@ class Phrases(Contents):
         found: Ways[Phrase] = list(self._labels(at))
         if one := self.past_any(at, "that one", "this one"):
             found.append((Pronoun("it"), one))
+        if two := self.past_any(at, "the two", "those two", "these two"):
+            found.append((Pronoun("both"), two))
         if self.text(at) in _PRONOUNS:
             found.append((Pronoun(self.text(at)), at + 1))
         found += self._sign(at)

@@ -11,6 +11,7 @@ from itertools import pairwise, permutations
 from rpg.language.compose.items import PARTS
 from rpg.language.compose.lined import line_up
 from rpg.language.compose.nouns import resolve
+from rpg.language.compose.pronouns import landmark
 from rpg.language.compose.relating import at_part, bare, between, in_region, on, place, tops_of
 from rpg.language.compose.scene import SIDES, Fact, Ref, Scene, Unclear
 from rpg.language.compose.subjects import check_said, check_subject, there_is, told_of_figures
@@ -184,6 +185,8 @@ def _stacked(scene: Scene, chain: Chain) -> None:
     lowest = chain.parts[-1]
     if scene.patches and isinstance(lowest, Noun) and not lowest.noun:
         raise Unclear  # a block or a patch of that colour
+    if any(isinstance(part, Pronoun) for part in chain.parts):
+        raise Unclear  # a place, not a tower that is told
     refs = [resolve(scene, part) for part in chain.parts]
     if any(ref.kind != "block" or len(ref.ids) != 1 for ref in refs):
         raise Unclear
@@ -289,7 +292,10 @@ def _said(scene: Scene, ref: Ref, said: Predicate) -> None:
             return
         if isinstance(of, Noun) and of.det == "another":
             raise Unclear
-        target = resolve(scene, of)
+        around, scene.around = landmark(scene, said), None
+        target = scene.mention(around) if around else resolve(scene, of)
+        if len(target.ids) == 1:
+            scene.around = (said.relation, target, of == Pronoun("it"))
         if target.either and (said.no or len(ref.ids) > 1 or ref.each):
             raise Unclear  # on none of them, or not on one; all on one, or some on each
         named = isinstance(of, Noun) and of.det == "the" and not of.many

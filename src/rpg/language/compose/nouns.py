@@ -8,7 +8,7 @@ from itertools import combinations
 from rpg.language.compose.chosen import chosen
 from rpg.language.compose.figures import ALL, figures_of, has_first, is_farthest, part, within
 from rpg.language.compose.items import FIGURES, PARTS, SYMBOL_KINDS
-from rpg.language.compose.listed import counted_alike, face_each_other, symbols
+from rpg.language.compose.listed import by_worth, counted_alike, face_each_other, symbols
 from rpg.language.compose.pronouns import pronoun
 from rpg.language.compose.scene import Patch, Ref, Scene, Unclear
 from rpg.language.compose.syntax import Both, Chain, Label, Listing, Noun, Phrase, Pronoun
@@ -97,6 +97,8 @@ def _noun(scene: Scene, noun: Noun) -> Ref:
     if noun.det == "other" and noun.noun not in PARTS:
         return _others(scene, noun)
     of_figure = noun.noun in PARTS or noun.ranks or noun.nth
+    if by_worth(scene, noun):
+        return symbols(scene, noun, resolve)
     if noun.of is None and noun.noun in SYMBOL_KINDS and of_figure:
         return part(scene, noun, resolve)
     if noun.of == Pronoun("both") and noun.ranks and noun.noun in {"one", "block"}:
@@ -105,7 +107,7 @@ def _noun(scene: Scene, noun: Noun) -> Ref:
         return part(scene, noun, resolve)
     if noun.of is not None and noun.noun in SYMBOL_KINDS | {"sign"}:
         return symbols(scene, noun, resolve)
-    if noun.of is not None or noun.det == "but":
+    if noun.of is not None or noun.det == "but" or noun == Noun(count=noun.count, bound=noun.bound):
         return _some_of(scene, noun)
     if noun.noun in {"row", "layer", "column"} and noun.ranks and within(scene):
         return part(scene, noun, resolve)
@@ -235,9 +237,9 @@ def _some_of(scene: Scene, noun: Noun) -> Ref:
         return Ref(whole.kind, ids, each=noun.det == "each", every=True)
     if noun.det == "no":
         return Ref(whole.kind, ids, no=True, each=True)
-    if whole.kind == "figure" and noun.count and noun.count < len(ids) and noun.bound in {"", "exactly"}:
-        return _some_figures(scene, ids, noun)
     count = len(ids) // 2 if noun.det == "half" else len(ids) - noun.count if noun.det == "but" else noun.count
+    if whole.kind == "figure" and 0 < count < len(ids) and noun.bound in {"", "exactly"} and noun.det != "half":
+        return _some_figures(scene, ids, count, "exactly" if noun.det == "but" else noun.bound)
     if whole.kind != "block" or count < 1 or count > len(ids) or (noun.det == "half" and len(ids) % 2):
         raise Unclear
     if noun.bound == "most" or (not scene.alike(ids) and (noun.bound == "least" or noun.det)):
@@ -263,14 +265,14 @@ def _some_of(scene: Scene, noun: Noun) -> Ref:
     return replace(_take(scene, chosen), rest=rest, bound=noun.bound)
 
 
-def _some_figures(scene: Scene, ids: list[int], noun: Noun) -> Ref:
+def _some_figures(scene: Scene, ids: list[int], count: int, bound: str) -> Ref:
     """So many of figures that look alike, and of which nothing was said yet."""
     figures = [scene.figures[n] for n in ids]
     looks = {(f.kind, f.size, tuple(scene.blocks[n].look[:2] for n in f.blocks)) for f in figures}
     blocks = scene.told_of("block")
     if len(looks) > 1 or scene.told_of("figure") & set(ids) or any(blocks & set(figure.blocks) for figure in figures):
         raise Unclear
-    return Ref("figure", ids[: noun.count], ids[noun.count :], bound=noun.bound)
+    return Ref("figure", ids[: count], ids[count :], bound=bound)
 
 
 def _patch(scene: Scene, noun: Noun) -> Ref:

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from rpg.language import lexicon
 from rpg.language.compose.contents import Contents
-from rpg.language.compose.heads import RELATIONS, TOLD_BY
+from rpg.language.compose.heads import NAMED, RELATIONS, TOLD_BY
 from rpg.language.compose.items import FIGURES, PARTS, RANK, SYMBOL, SYMBOL_KINDS, shows
 from rpg.language.compose.syntax import (
     Bears,
@@ -46,9 +46,10 @@ class Phrases(Contents):
         """One noun phrase, or several joined by commas and "and"."""
         found: Ways[Phrase] = []
         many = at + (self.text(at) == "the")
-        if self.text(many) in TOLD_BY and self.items[many].many and self.label(many + 1):
+        named = self.past_any(many + 1, *NAMED) or many + 1
+        if self.text(many) in TOLD_BY and self.items[many].many and self.label(named):
             kind = SYMBOL.get(self.text(many), "")
-            found += [(both, end) for both, end in self.phrase(many + 1) if _labelled(both, kind)]
+            found += [(both, end) for both, end in self.phrase(named) if _labelled(both, kind)]
         found += self.series(at)
         for part, end in self.single(at):
             found.append((part, end))
@@ -88,7 +89,7 @@ class Phrases(Contents):
     def _simple(self, at: int) -> Ways[Phrase]:
         found: Ways[Phrase] = list(self._labels(at))
         if one := self.past_any(at, "that one", "this one"):
-            found.append((Pronoun("it"), one))
+            found.append((Pronoun("that one"), one))
         if two := self.past_any(at, "the two", "those two", "these two"):
             found.append((Pronoun("both"), two))
         if self.text(at) in _PRONOUNS:
@@ -252,6 +253,8 @@ class Phrases(Contents):
             found += self._behind(Noun(det="another", noun="one"), at + 1)
         for start, end in list(starts):
             for amount, stop in self._amount(end):
+                if not start.det and amount.count > 1:
+                    found.append((amount, stop))  # "put two on the mat"
                 if not start.det or not amount.bound:
                     starts.append((replace(amount, det=start.det), stop))
         for start, end in starts:
@@ -323,7 +326,9 @@ class Phrases(Contents):
     def _whole(self, at: int) -> Ways[Phrase]:
         """ "of the row", "of it": what something is a part of."""
         end = self.past_any(at, "of", "in", "from")
-        return self._simple(end) if end else []
+        if not end:
+            return []
+        return [*self._simple(end), *((told, stop) for told, stop in self.phrase(end) if _labelled(told, ""))]
 
     def _counted_from(self, noun: Noun, at: int) -> Ways[Phrase]:
         """ "the second block from the left"."""

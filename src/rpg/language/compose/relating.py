@@ -256,6 +256,9 @@ def on(scene: Scene, ref: Ref, target: Ref, word: str, *, no: bool) -> None:
             upper.append(scene.at(scene.figures[at], 0))
     if ref.kind == "block" and any(f.kind == "word" and set(ref.ids) & set(f.blocks) for f in scene.figures):
         raise Unclear
+    if ref.bound == "exactly" and len(target.ids) == 1 and word == "on" and not no:
+        scene.facts += [Fact(Ref("block", [n]), word, target, no=True) for n in ref.rest]
+        ref = replace(ref, bound="")
     if target.kind != "block" or ref.bound in {"exactly", "most", "least"} or len(upper) != len(target.ids):
         raise Unclear
     if no and len(upper) > 1:

@@ -13,11 +13,12 @@ from rpg.language.compose.lined import line_up
 from rpg.language.compose.nouns import resolve
 from rpg.language.compose.pronouns import landmark
 from rpg.language.compose.relating import at_part, bare, between, in_region, on, place, tops_of
-from rpg.language.compose.scene import SIDES, Fact, Ref, Scene, Unclear
+from rpg.language.compose.scene import SIDES, Fact, Impossible, Ref, Scene, Unclear
 from rpg.language.compose.subjects import check_said, check_subject, there_is, told_of_figures
 from rpg.language.compose.syntax import (
     STAY,
     TOWER,
+    Among,
     Bears,
     Both,
     Chain,
@@ -119,7 +120,23 @@ def _introduced(scene: Scene, ways: Sequence[Callable[[Scene], None]]) -> int:
     return len(scene.blocks)
 
 
+def _narrow(scene: Scene, clause: Clause, said: Among) -> None:
+    """ "(One of A, B and C,) but not B": leaves those ways to have what was said ahead in which this is so."""
+    known, taken = len(scene.blocks), set(scene.taken)
+    if not any(ref.kind == "block" and set(ref.ids) == taken for ref in scene.before) or not taken < set(scene.whole):
+        raise Unclear
+    them = resolve(scene, clause.subject)
+    if them.kind != "block" or len(scene.blocks) > known or not set(them.ids) <= set(scene.whole):
+        raise Unclear
+    if (set(them.ids) <= taken) == said.no:
+        raise Impossible
+    scene.here, scene.spare = list(scene.before), scene.spare | set(scene.whole)
+
+
 def _say(scene: Scene, clause: Clause) -> None:
+    if isinstance(among := clause.predicates[0] if clause.predicates else None, Among):
+        _narrow(scene, clause, among)
+        return
     clause = told_of_figures(scene, clause)
     subject = clause.subject
     if isinstance(subject, Chain):
@@ -161,6 +178,7 @@ def _say(scene: Scene, clause: Clause) -> None:
         if isinstance(said, Made) and ref.kind == "block" and scene.figures[-1].kind == "tower":
             ref = Ref("figure", [len(scene.figures) - 1])  # what is said next is said of the tower
     scene.subject = None
+    scene.around = scene.around if clause.mood else None  # behind "next to it a red block" that is spoken of first
     scene.place_barred()
     if clause.predicates and ref.kind == "block":
         scene.used.update(ref.ids)
@@ -276,7 +294,7 @@ def _said(scene: Scene, ref: Ref, said: Predicate) -> None:
         _looks(scene, ref, said.like)
     elif isinstance(said, Bears):
         _bears(scene, ref, said)
-    elif isinstance(said, Holds | Holding | NotBoth):
+    elif isinstance(said, Among | Holds | Holding | NotBoth):
         raise Unclear
     elif said.relation == "region":
         in_region(scene, ref, said)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Iterable, Sequence
 
 from rpg.blocks.nouns import article, join, number
 from rpg.language import lexicon
@@ -94,7 +95,8 @@ def _check_told_of(scenes: Sequence[Scene]) -> None:
     told = told.union(*(scene.told_of("block") for scene in scenes))
     blocks = scenes[0].blocks
     looks = {blocks[n].look for n in told if n < len(blocks)}
-    if any(block.look not in looks for block in blocks):
+    spare = set.intersection(*(scene.spare for scene in scenes))
+    if any(block.look not in looks and n not in spare for n, block in enumerate(blocks)):
         raise Unclear
 
 
@@ -105,14 +107,20 @@ def _look(block: Block) -> str:
 
 
 def _assets(scene: Scene) -> str:
-    lots: dict[str, int] = {}
-    for block in scene.blocks:
-        lots[_look(block)] = lots.get(_look(block), 0) + 1
+    told = scene.told_of("block").union(*(figure.blocks for figure in scene.figures))
+    spare = [block for n, block in enumerate(scene.blocks) if n in scene.spare - told]
+    said = [f"There {_are(block for n, block in enumerate(scene.blocks) if n not in scene.spare - told)}."]
+    said += [f"There is {article(patch.color)} {patch.color} patch." for patch in scene.patches]
+    return " ".join([*said, *([f"There {_are(spare, 'also ')} as distractors."] if spare else [])])
+
+
+def _are(blocks: Iterable[Block], also: str = "") -> str:
+    """ "are two red blocks and a blue block"."""
+    lots = Counter(map(_look, blocks))
     said = [
         f"{article(look)} {look} block" if many == 1 else f"{number(many)} {look} blocks" for look, many in lots.items()
     ]
-    patches = [f"There is {article(patch.color)} {patch.color} patch." for patch in scene.patches]
-    return " ".join([f"There {'are' if len(scene.blocks) > 1 else 'is'} {join(said)}.", *patches])
+    return f"{'are' if lots.total() > 1 else 'is'} {also}{join(said)}"
 
 
 def _name(scene: Scene, n: int) -> str:

@@ -10,7 +10,7 @@ from rpg.language.later import later
 from rpg.language.meaning import Amount, Noun, Pronoun, Traits, replace
 from rpg.passes.schema.resolve.things.listing import quantified
 from rpg.passes.schema.resolve.things.things import matching
-from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, refuse
+from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, refuse, which_one
 
 if TYPE_CHECKING:
     from rpg.passes.schema.resolve.things.refer import refer
@@ -61,8 +61,8 @@ def _of_the_blocks(noun: Noun, built: Sequence[Built]) -> None:
     several = len(built) > 1 or any(one.kind == "towers" for one in built)
     if several and noun.traits == Traits():
         kind = {"stack": "tower"}.get(built[0].kind, built[0].kind.rstrip("s"))
-        raise refuse("ambiguous", f"so many of the {kind}s, or of their blocks?", noun.span,
-                     f"say it of one {kind}: 'the {kind} of A and B'")  # fmt: skip
+        message = f"so many of the {kind}s, or of their blocks?"
+        raise which_one(message, noun.span, f"say it of one {kind}: 'the {kind} of A and B'")
 
 
 _OF_EACH = frozenset({"all", "each", "both", "no"})

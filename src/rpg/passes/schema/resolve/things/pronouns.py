@@ -279,7 +279,7 @@ def _decide(word: Pronoun, scene: Scene, rivals: list[Mention], rel: str) -> Ref
     if stacked and len(tops) == 1:
         return tops[0].ref
     readings = [f"the {m.ref.built[0].kind}" if m.ref.built else said(scene.things[m.ref.names[0]]) for m in rivals]
-    raise refuse("ambiguous", f"{word.word!r} could be {' or '.join(readings)}", word.span, "name the one you mean")
+    raise which_one(f"{word.word!r} could be {' or '.join(readings)}", word.span, "name the one you mean")
 
 
 def _one(word: Pronoun, scene: Scene, scope: Scope) -> Ref:

@@ -244,7 +244,7 @@ def _of_them(noun: Noun, scene: Scene, scope: Scope) -> Ref:
         if refusal.diagnostics[0].code == "too-many-asked":
             raise
         hint = "say for example 'two of the three red blocks'"
-        raise refuse("ambiguous", "it is not said of which blocks so many are meant", noun.span, hint) from None
+        raise which_one("it is not said of which blocks so many are meant", noun.span, hint) from None
 
 
 def _besides(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:

@@ -340,7 +340,7 @@ class Reader(Verbs):
         looks: Ways[tuple[Predicate, ...]] = [((Looks(how),), end) for how, end in self._ordered(start)]
         if self.text(at) == ",":
             looks += [
-                ((place,), end) for place, end in self.place(at + 1) if place.relation in {"in turn", "side by side"}
+                ((place,), end) for place, end in self.place(at + 1) if place.relation in {"in turn", "side by side", "any order"}
             ]
         if color := lexicon.COLOR.get(self.text(start)):
             looks.append(((Looks(Noun(color=color)),), start + 1))

@@ -51,7 +51,7 @@ def figures_of(scene: Scene, noun: Noun, resolve: Resolve) -> Ref:
             raise Unclear
     if noun.nth or noun.bound or set(noun.ranks) - {"tall", "short", "hollow", "full"}:
         raise Unclear
-    if noun.count > 1 and (noun.made == "from" or (isinstance(noun.content, Both | Chain) and noun.made != "each")):
+    if noun.count > 1 and (noun.made.startswith("from") or (isinstance(noun.content, Both | Chain) and noun.made != "each")):
         raise Unclear  # these are all of their blocks, or those of each
     if kind in {"row", "line"} and isinstance(noun.content, Noun) and noun.content.noun == "tower":
         towers = resolve(scene, noun.content)
@@ -168,7 +168,7 @@ def _made(scene: Scene, noun: Noun, kind: str, resolve: Resolve) -> int:
     if isinstance(content, Chain):
         figure.blocks = [_storey(scene, of, resolve) for of in reversed(content.parts)]
         figure.told = True
-        if kind != "tower" or noun.made == "from" or len(set(figure.blocks)) < len(figure.blocks):
+        if kind != "tower" or noun.made.startswith("from") or len(set(figure.blocks)) < len(figure.blocks):
             raise Unclear
     elif content is not None:
         if isinstance(content, Noun) and content.noun == "one" and content.color and content.count and not content.det:
@@ -181,7 +181,7 @@ def _made(scene: Scene, noun: Noun, kind: str, resolve: Resolve) -> int:
         figure.blocks = list(ref.ids)
         labels = [scene.blocks[n].label for n in ref.ids]
         if noun.made == "from" and len(labels) > 2 and all(map(str.isdigit, labels)) and labels == sorted(labels):
-            raise Unclear  # "a row from 1 to 5" is in this order, "from the digits 1 to 5" in any
+            raise Unclear  # "a row from 1 to 5" is in this order, one "from the digits 1 to 5" in any
         figure.free = isinstance(content, Both) and any(isinstance(p, Noun) and p.count > 1 for p in content.parts)
     elif noun.order == "alternating":
         figure.blocks = _alternating(scene, noun, size)

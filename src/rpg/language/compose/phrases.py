@@ -273,7 +273,10 @@ class Phrases(Contents):
             for measured, end in [(noun, at), *self.measured(noun, at)]:
                 figures.append((measured, end))
                 made = "of" if self.text(end) in {"of", ",", ":"} else "from"
+                made = "from the" if made == "from" and self.text(end + 1) == "the" else made
                 for of, stop in self._content(end):
+                    if noun.noun == "staircase" and isinstance(of, Noun) and of.noun == "tower":
+                        of = replace(of, noun="block")  # stacks of such blocks are its steps
                     listed = isinstance(of, Listing)
                     if isinstance(of, Chain | Listing) and not (measured.det or measured.count or measured.many):
                         continue  # "stack red on blue" is no stack that is spoken of

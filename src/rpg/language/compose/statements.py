@@ -329,7 +329,11 @@ def _forms(scene: Scene, ref: Ref, phrase: Phrase) -> None:
             raise Unclear
         line_up(scene, ref.ids, from_left=phrase.ranks == ("left",))
         return
-    if ref.kind != "block" or not isinstance(phrase, Noun) or phrase.content is not None or ref.each or ref.bound:
+    if ref.kind != "block" or not isinstance(phrase, Noun) or phrase.content is not None or ref.each:
+        raise Unclear
+    if ref.bound == "exactly" and phrase == TOWER:  # none of the others is on another
+        scene.facts += [Fact(Ref("block", [n]), "table") for n in ref.rest]
+    elif ref.bound:
         raise Unclear
     if phrase.count > 1 or phrase.det not in {"a", ""} or phrase.color:
         raise Unclear

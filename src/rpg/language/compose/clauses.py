@@ -76,7 +76,7 @@ _SEPARATORS = (
 
 _ONE_OF_THEM = ("one of them", "one of which", "one of these", "one")
 _TO_BE = ("must be", "has to be", "needs to be", "should be", "shall be", "is to be", "is", "being")
-_NOT_TO_BE = ("is not", "is not to be", *(f"{must} not be" for must in ("must", "should", "shall", "may", "can", "will")))
+_NOT_TO_BE = ("is not", "is not to be", "must not be", "should not be", "shall not be", "may not be", "can not be")
 _NOT_TOGETHER = tuple(
     f"{must}both be {there}"
     for must in ("", "must not ", "should not ", "may not ", "can not ")
@@ -293,7 +293,8 @@ class Reader(Verbs):
         """ "behind it another row", "between both is the digit 0", "beside this stack goes a tower"."""
         found: Ways[Clause] = []
         if within := self.past_any(at, "in", "of"):
-            found += [(Clause(what, (), "in"), end) for what, end in self.phrase(within) if isinstance(what, Noun | Both)]
+            wholes = [way for way in self.phrase(within) if isinstance(way[0], Noun | Both)]
+            found += [(Clause(what, (), "in"), end) for what, end in wholes]
         for place, end in self.place(at):
             starts = {self.past_any(end, way) for way in _FRONTED} | {end}
             for start in starts - {0}:
@@ -339,9 +340,8 @@ class Reader(Verbs):
         )
         looks: Ways[tuple[Predicate, ...]] = [((Looks(how),), end) for how, end in self._ordered(start)]
         if self.text(at) == ",":
-            looks += [
-                ((place,), end) for place, end in self.place(at + 1) if place.relation in {"in turn", "side by side", "any order"}
-            ]
+            said_of_all = {"in turn", "side by side", "any order"}
+            looks += [((place,), end) for place, end in self.place(at + 1) if place.relation in said_of_all]
         if color := lexicon.COLOR.get(self.text(start)):
             looks.append(((Looks(Noun(color=color)),), start + 1))
         if end := self.past_any(start, *_LINED):

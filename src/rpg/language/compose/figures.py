@@ -10,7 +10,7 @@ from rpg.blocks.figures import FEWEST
 from rpg.language.compose.items import FIGURES, PARTS, SYMBOL_KINDS, shows
 from rpg.language.compose.lined import line_up, of_line
 from rpg.language.compose.places_of import DRAWN, line_of, places, steps
-from rpg.language.compose.scene import SIDES, Figure, Ref, Scene, Unclear
+from rpg.language.compose.scene import SIDES, Fact, Figure, Ref, Scene, Unclear
 from rpg.language.compose.syntax import Both, Chain, Label, Listing, Noun, Phrase, Pronoun
 
 Resolve = Callable[[Scene, Phrase], Ref]
@@ -51,7 +51,9 @@ def figures_of(scene: Scene, noun: Noun, resolve: Resolve) -> Ref:
             raise Unclear
     if noun.nth or noun.bound or set(noun.ranks) - {"tall", "short", "hollow", "full"}:
         raise Unclear
-    if noun.count > 1 and (noun.made.startswith("from") or (isinstance(noun.content, Both | Chain) and noun.made != "each")):
+    if noun.count > 1 and (
+        noun.made.startswith("from") or (isinstance(noun.content, Both | Chain) and noun.made != "each")
+    ):
         raise Unclear  # these are all of their blocks, or those of each
     if kind in {"row", "line"} and isinstance(noun.content, Noun) and noun.content.noun == "tower":
         towers = resolve(scene, noun.content)
@@ -121,12 +123,23 @@ def _ranked(scene: Scene, found: list[int], noun: Noun) -> list[int]:
             found = [0 if rank == "former" else 1]
         else:
             among = Ref("figure", found)
+            _tell_apart(scene, among, rank)
             found = [n for n in found if is_farthest(scene, n, among, rank)]
     if noun.nth:
         if noun.nth > len(found):
             raise Unclear
         found = [found[noun.nth - 1]]
     return found
+
+
+def _tell_apart(scene: Scene, both: Ref, rank: str) -> None:
+    """ "The left one" of two towers that look alike: one of them is to the left of the other, whichever."""
+    a, b = (scene.figures[n] for n in both.ids) if len(both.ids) == 2 else (None, None)
+    if a is None or b is None or a.kind != "tower" or rank not in TOWARD or not scene.alike([*a.blocks, *b.blocks]):
+        return
+    sides = any(fact.said in TOWARD.values() for fact in scene.facts)
+    if not sides and not scene.told_of("block") & {*a.blocks, *b.blocks} and len(a.blocks) == len(b.blocks):
+        scene.facts.append(Fact(Ref("figure", both.ids[:1]), TOWARD[rank], Ref("figure", both.ids[1:])))
 
 
 def is_farthest(scene: Scene, n: int, among: Ref, rank: str) -> bool:

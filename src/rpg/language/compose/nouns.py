@@ -6,7 +6,7 @@ from dataclasses import replace
 from itertools import combinations
 
 from rpg.language.compose.chosen import chosen
-from rpg.language.compose.figures import ALL, figures_of, has_first, is_farthest, part, within
+from rpg.language.compose.figures import ALL, TOWARD, figures_of, has_first, is_farthest, part, within
 from rpg.language.compose.items import FIGURES, PARTS, SYMBOL_KINDS
 from rpg.language.compose.listed import by_worth, counted_alike, face_each_other, symbols
 from rpg.language.compose.pronouns import pronoun
@@ -113,6 +113,11 @@ def _noun(scene: Scene, noun: Noun) -> Ref:
         return part(scene, noun, resolve)
     if noun.noun == "one" and noun.det in {"a", "another"} and not noun.color and scene.figures:
         return figures_of(scene, noun, resolve)
+    if noun == Noun(det="another", noun="one"):
+        left = [n for n in scene.whole if n not in scene.taken]
+        if not scene.taken or not left or not scene.alike(left):
+            raise Unclear
+        return _take(scene, left[:1])
     if noun.noun == "one" and noun.color and noun.det == "the" and not noun.ranks:
         own = [n for n, f in enumerate(scene.figures) if {scene.blocks[b].color for b in f.blocks} == {noun.color}]
         like = [n for n, block in enumerate(scene.blocks) if block.color == noun.color]
@@ -149,15 +154,22 @@ def _by_rank(scene: Scene, noun: Noun) -> Ref:
         raise Unclear
     if not scene.figures:
         return of_two(scene, noun)
-    towers = [figure for figure in scene.figures if figure.kind == "tower" and not figure.implied]
-    if noun.noun == "one" and 1 < len(towers) == len(scene.figures) and (scene.lines or noun.ranks[0] in _HIGH):
+    built = [figure for figure in scene.figures if not figure.implied]
+    sides = TOWARD.keys() | _HIGH.keys() if built[:1] and built[0].kind == "tower" else {"near", "far"}
+    same = 1 < len(built) == len(scene.figures) and len({figure.kind for figure in built}) == 1
+    if noun.noun == "one" and same and (scene.lines or noun.ranks[0] in sides):
         ranks = tuple(_HIGH.get(rank, rank) for rank in noun.ranks)
-        return figures_of(scene, replace(noun, noun="tower", ranks=ranks), resolve)
+        return figures_of(scene, replace(noun, noun=built[0].kind, ranks=ranks), resolve)
     return part(scene, noun, resolve)
 
 
 def of_two(scene: Scene, noun: Noun) -> Ref:
-    """ "the right-hand one of the two": by where they are told to be."""
+    """ "the right-hand one of the two", "the middle one": by where they are told to be."""
+    if noun == Noun(det="the", noun="one", ranks=("middle",)):
+        between = [fact.a for fact in scene.facts if fact.said == "between" and not fact.no]
+        if len(between) != 1:
+            raise Unclear
+        return between[0]
     both = pronoun(scene, "both")
     if len(both.ids) == 1:
         return part(scene, replace(noun, of=None), resolve)
@@ -272,7 +284,7 @@ def _some_figures(scene: Scene, ids: list[int], count: int, bound: str) -> Ref:
     blocks = scene.told_of("block")
     if len(looks) > 1 or scene.told_of("figure") & set(ids) or any(blocks & set(figure.blocks) for figure in figures):
         raise Unclear
-    return Ref("figure", ids[: count], ids[count :], bound=bound)
+    return Ref("figure", ids[:count], ids[count:], bound=bound)
 
 
 def _patch(scene: Scene, noun: Noun) -> Ref:

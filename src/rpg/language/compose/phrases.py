@@ -259,6 +259,8 @@ class Phrases(Contents):
                     starts.append((replace(amount, det=start.det), stop))
         for start, end in starts:
             found += self.told_apart(start, end)
+            if start.det == "the" and start.count > 1:
+                found += self._at_a_part(replace(start, noun="one", many=True), end)  # "the two in the middle"
             for noun, stop in self._head(end, start):
                 found += self._behind(noun, stop)
         return found

@@ -79,8 +79,9 @@ def landmark(scene: Scene, said: Place) -> Ref | None:
 
 
 def _is_member(scene: Scene, block: int) -> bool:
-    """Whether a block was told as one of a figure: "it" may be either."""
-    return any(block in f.blocks and not f.implied for f in scene.figures)
+    """Whether a block was told as one of a figure: "it" may be either, unless it is said of one of them."""
+    own = set(scene.subject[1]) if scene.subject is not None and scene.subject[0] == "block" else set()
+    return any(block in f.blocks and not f.implied and not own & set(f.blocks) for f in scene.figures)
 
 
 def _is_subject(scene: Scene, ref: Ref) -> bool:

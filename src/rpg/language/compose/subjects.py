@@ -6,7 +6,19 @@ from dataclasses import replace
 
 from rpg.language.compose.items import FIGURES
 from rpg.language.compose.scene import SIDES, Ref, Scene, Unclear
-from rpg.language.compose.syntax import Bears, Both, Chain, Clause, Either, Listing, Looks, Noun, Place, Shares, is_figure
+from rpg.language.compose.syntax import (
+    Bears,
+    Both,
+    Chain,
+    Clause,
+    Either,
+    Listing,
+    Looks,
+    Noun,
+    Place,
+    Shares,
+    is_figure,
+)
 
 _BESIDE = frozenset({*SIDES, "next", "near", "far"})
 _MUTUAL = frozenset({"touching", "side by side", "apart"})

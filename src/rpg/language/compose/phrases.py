@@ -21,6 +21,7 @@ from rpg.language.compose.syntax import (
     Phrase,
     Predicate,
     Pronoun,
+    is_figure,
 )
 from rpg.language.compose.words import Ways, remembered
 
@@ -193,6 +194,8 @@ class Phrases(Contents):
         if self.past_any(at, "all but", "all except") and (left_out := self.number(at + 2)):
             ways.append((Noun(det="but", count=left_out), at + 3))
             yield Noun(det="but", count=left_out), at + 3
+        if but := self.past_any(at, "all but", "all except", "each but", "every one but"):
+            yield from self._all_but(but)
         if self.text(at) == "half":
             ways.append((Noun(det="half"), at + 1))
         for some, end in ways:
@@ -202,6 +205,12 @@ class Phrases(Contents):
                 yield from ((replace(some, of=whole), stop) for whole, stop in told)
             elif some.det in {"all", "both"}:
                 yield from ((replace(some, of=whole), stop) for whole, stop in self._noun(end))
+
+    def _all_but(self, at: int) -> Iterator[tuple[Phrase, int]]:
+        """ "(all but) the middle block of the row": each of its blocks but this."""
+        for part, end in self._simple(at):
+            if isinstance(part, Noun) and part.of is not None and (part.ranks or part.nth):
+                yield Noun(det="each", noun="block", of=part.of, but=replace(part, of=None)), end
 
     def _others(self, at: int) -> Iterator[tuple[Phrase, int]]:
         """ "the other two", "the rest", "the remaining blocks", "the third one", "the other tower"."""
@@ -295,6 +304,8 @@ class Phrases(Contents):
                         ]
             found += [*figures[1:], *(way for figure, end in figures for way in self.ordered(figure, end))]
             found += self._one_by_one(noun, at)
+            if noun.noun in {"row", "column"} and noun.det == "the" and (noun.ranks or noun.nth):
+                found += [(replace(noun, of=whole), stop) for whole, stop in self._whole(at) if is_figure(whole)]
         elif noun.noun != "table":
             found += self.told_apart(noun, at)
             found += [(replace(noun, of=whole), stop) for whole, stop in self._whole(at)]

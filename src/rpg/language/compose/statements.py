@@ -244,9 +244,11 @@ def _each_of_a_new_one(subject: Phrase, said: Sequence[Predicate]) -> bool:
     target = said[0].of
     if isinstance(target, Both) and all(isinstance(part, Noun) and (part.nth or part.ranks) for part in target.parts):
         target = Noun(det="both")  # "on the second and the fourth"
-    if not isinstance(subject, Noun) or not isinstance(target, Noun) or target.det not in {"each", "both", "all"}:
+    if not isinstance(subject, Noun) or not isinstance(target, Noun):
         return False
     several = any_number(subject)
+    if target.det not in {"each", "both", "all"} and not (several and target.det == "the" and target.count > 1):
+        return False
     one = subject.det in {"a", "another"} or (not subject.det and subject.count == 1 and not subject.bound)
     return several or (one and not subject.of and not subject.many and subject.count < 2)
 

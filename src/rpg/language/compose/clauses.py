@@ -169,8 +169,8 @@ class Reader(Verbs):
         """ "(one of A, B and C,) and it must not be B", "one of which has to be C", "but not both A and B"."""
         starts = [(self.past_any(at, "not"), True), (self.past_any(at, "including", "among them"), False)]
         if who := self.past_any(at, "it", *_ONE_OF_THEM):
-            starts += [(self.past_any(who, *_NOT_TO_BE), True), (self.past_any(who, *_TO_BE), False)]
-            starts += [(who, False)] if self.text(at) == "one" else []
+            starts.append((self.past_any(who, *_NOT_TO_BE), True))
+            starts += [(self.past_any(who, *_TO_BE), False), (who, False)] if self.text(at) == "one" else []
         found: Ways[Clause] = []
         for start, no in starts:
             both = no and self.text(start) == "both"

@@ -107,6 +107,8 @@ def _noun(scene: Scene, noun: Noun) -> Ref:
         return part(scene, noun, resolve)
     if noun.of is not None and noun.noun in SYMBOL_KINDS | {"sign"}:
         return symbols(scene, noun, resolve)
+    if noun == Noun(noun="one") and scene.whole:
+        return _some_of(scene, Noun(count=1))
     if noun.of is not None or noun.det == "but" or noun == Noun(count=noun.count, bound=noun.bound):
         return _some_of(scene, noun)
     if noun.noun in {"row", "layer", "column"} and noun.ranks and within(scene):
@@ -229,6 +231,8 @@ def _some_of(scene: Scene, noun: Noun) -> Ref:
     here = list(scene.here)
     if noun.color or noun.ranks or noun.nth or noun.content is not None:
         raise Unclear
+    if noun.det == "any" and not noun.count and not noun.noun:  # "on either of them"
+        noun = replace(noun, det="", count=1)
     if noun.of is None and not scene.whole:
         raise Unclear
     whole = resolve(scene, noun.of) if noun.of is not None else Ref("block", list(scene.whole))

@@ -307,7 +307,7 @@ def _beside(scene: Scene, ref: Ref, target: Ref, said: Place) -> None:
         target = replace(target, each=False)
     if target.each or (several and said.relation in {"apart", "far", "near"}) or (several and said.no):
         others = [Ref(target.kind, [n]) for n in target.ids]
-    if several and said.relation == "touch" and not said.no:
+    if several and not said.no and (said.relation == "touch" or target.kind == "figure"):
         others = [Ref(target.kind, [n]) for n in target.ids]
     for a in some:
         for b in others:

@@ -247,6 +247,8 @@ def _each_of_a_new_one(subject: Phrase, said: Sequence[Predicate]) -> bool:
     if not isinstance(subject, Noun) or not isinstance(target, Noun):
         return False
     several = any_number(subject)
+    if said[0].relation != "on" and target.det != "each":
+        return False  # to the left of both of them at once
     if target.det not in {"each", "both", "all"} and not (several and target.det == "the" and target.count > 1):
         return False
     one = subject.det in {"a", "another"} or (not subject.det and subject.count == 1 and not subject.bound)

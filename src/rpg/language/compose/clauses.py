@@ -178,8 +178,8 @@ class Reader(Verbs):
                 if _several_named(them) if both else isinstance(them, Label | Noun) or not no:
                     found.append((Clause(them, (Among(no),), "must"), end))
         for them, end in self.phrase(self.past_any(at, "do not let") or at):
-            if (both := self.past_any(end, *_NOT_TOGETHER)) and _several_named(them):
-                found.append((Clause(them, (Among(no=True),), "must"), both))
+            if (stop := self.past_any(end, *_NOT_TOGETHER)) and _several_named(them):
+                found.append((Clause(them, (Among(no=True),), "must"), stop))
         return found
 
     def _left_alone(self, at: int) -> Ways[Clause]:

@@ -59,8 +59,10 @@ class Phrases(Contents):
                 (Both(_headed((part, *rest)), either=True), stop) for rest, stop in self._joined(end, "or", ", or")
             ]
         if self.text(at) == "both" and "not" not in (item.text for item in self.items[max(0, at - 6) : at]):
-            pairs = [way for way in self.phrase(at + 1) if isinstance(way[0], Both) and len(way[0].parts) == 2]
-            found += [way for way in pairs if "both" not in (getattr(part, "det", "") for part in way[0].parts)]
+            for pair, end in self.phrase(at + 1):
+                if isinstance(pair, Both) and len(pair.parts) == 2:
+                    again = any(isinstance(part, Noun) and part.det == "both" for part in pair.parts)
+                    found += [] if again else [(pair, end)]  # "both orange and both white blocks" are four
         if either := self.past_any(at, "either", "either one of", "one of"):
             found += [way for way in self.phrase(either) if isinstance(way[0], Both) and way[0].either]
         return found

@@ -321,7 +321,7 @@ def _partitive(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     if noun.det == "no" and isinstance(noun.part_of, Pronoun) and scope.role == "landmark":
         patches = patches_of_each(scene, scope, of_none=True)
         whole = Ref(names=patches, patch=True, plural=True) if patches else whole
-    check_both(noun, whole, scene.denying)
+    check_both(noun, whole, scene.denying, borne=scope.role == "landmark" and scope.rel == "on")
     amount = noun.amount
     if noun.det in ("all", "each", "both"):
         whole = all_of_it(whole) if noun.det == "both" else whole

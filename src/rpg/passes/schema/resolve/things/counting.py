@@ -56,7 +56,7 @@ def check_both(noun: Noun, whole: Ref, denied: bool, *, borne: bool = False) -> 
         _of_the_blocks(noun, whole.built, borne=borne)
 
 
-def _of_the_blocks(noun: Noun, built: Sequence[Built], *, borne: bool) -> None:
+def _of_the_blocks(noun: Noun, built: Sequence[Built], *, borne: bool = False) -> None:
     """Refuse "two towers, exactly one of them on the mat": one of the towers, or a block of theirs?
 
     Where something lies on one of them (`borne`), it may be the towers: they have room on top."""

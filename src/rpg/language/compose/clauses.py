@@ -12,7 +12,9 @@ from rpg.language.compose.series import counted
 from rpg.language.compose.syntax import (
     STAY,
     TOWER,
+    Among,
     Bears,
+    Both,
     Clause,
     Label,
     Looks,
@@ -51,6 +53,7 @@ _LINED = (
     "in a line from left to right", "from left to right", "left to right",
 )  # fmt: skip
 _STACK = frozenset({"stack", "pile"})
+_CAP = frozenset({"cap", "top", "crown"})
 _PILED_AT = frozenset({"on", "in", "off", "under", "region", "top", "table"})
 """Where one may stack things; what is stacked beside something, or between, need not stand on the table."""
 _LINE = Noun(det="a", noun="line")
@@ -71,6 +74,14 @@ _SEPARATORS = (
     "; and", ", leaving", ",", ";", ".", "!", "?", ":", "and", "but", "while", "plus", "with", "whereas", "so that",
 )  # fmt: skip
 
+_ONE_OF_THEM = ("one of them", "one of which", "one of these", "one")
+_TO_BE = ("must be", "has to be", "needs to be", "should be", "shall be", "is to be", "is", "being")
+_NOT_TO_BE = ("is not", "is not to be", "must not be", "should not be", "shall not be", "may not be", "can not be")
+_NOT_TOGETHER = tuple(
+    f"{must}both be {there}"
+    for must in ("", "must not ", "should not ", "may not ", "can not ")
+    for there in ("there", "on it", "chosen", "among them")
+)
 _WITH = frozenset({", with", "with", ", leaving", "so that", ", so that"})
 """Behind these stands what is so of a thing that is told of, not a further thing."""
 
@@ -122,7 +133,7 @@ class Reader(Verbs):
         if self.text(at) == "which":
             found += [(Clause(Pronoun("which"), said, "must"), end) for said, end in self.verbs(at + 1)]
         for side, begin in self.counting(at):
-            found += [(replace(said, subject=counted(said.subject, side)), end) for said, end in self.clause(begin)]
+            found += [(counted(said, side), end) for said, end in self.clause(begin)]
         if begin := self.past_any(at, *_START, *(f"{start} ," for start in _START), "start :"):
             found += [(replace(said, mood="start"), end) for said, end in self.clause(begin)]
         if first := self.past_any(at, "first", "first ,", "first of all ,"):
@@ -143,6 +154,7 @@ class Reader(Verbs):
             found += self._statement(start)
             found += [(Clause(what, said, "there" if there else ""), end) for what, said, end in self._existing(start)]
         found += self._left_alone(at)
+        found += self._narrowed(at)
         if either := self.past_any(at, "either"):
             for one, end in self.clause(either):
                 if one.predicates and one.other is None and (start := self.past_any(end, "or", ", or")):
@@ -151,6 +163,23 @@ class Reader(Verbs):
             found += [(Clause(what, (Bears(None),)), stop) for what, stop in self.phrase(end)]
         late = [(said, start) for said, end in found if (start := self.past_any(end, *_START)) and said.predicates]
         found += [(replace(said, mood="start"), end) for said, end in late]
+        return found
+
+    def _narrowed(self, at: int) -> Ways[Clause]:
+        """ "(one of A, B and C,) and it must not be B", "one of which has to be C", "but not both A and B"."""
+        starts = [(self.past_any(at, "not"), True), (self.past_any(at, "including", "among them"), False)]
+        if who := self.past_any(at, "it", *_ONE_OF_THEM):
+            starts.append((self.past_any(who, *_NOT_TO_BE), True))
+            starts += [(self.past_any(who, *_TO_BE), False), (who, False)] if self.text(at) == "one" else []
+        found: Ways[Clause] = []
+        for start, no in starts:
+            both = no and self.text(start) == "both"
+            for them, end in self.phrase(start + both) if start else ():
+                if _several_named(them) if both else isinstance(them, Label | Noun) or not no:
+                    found.append((Clause(them, (Among(no),), "must"), end))
+        for them, end in self.phrase(self.past_any(at, "do not let") or at):
+            if (stop := self.past_any(end, *_NOT_TOGETHER)) and _several_named(them):
+                found.append((Clause(them, (Among(no=True),), "must"), stop))
         return found
 
     def _left_alone(self, at: int) -> Ways[Clause]:
@@ -191,11 +220,17 @@ class Reader(Verbs):
                         if verb in _STACK and several(what):
                             said = (Made(TOWER), *said)
                         found.append((Clause(what, said, "put"), stop))
+        if verb in _PUT and not no:
+            found += self._until(start)
         if (lined := self.past_any(at, "line up")) and not no:
             existing = [way for way in self._existing(lined) if not is_figure(way[0])]  # which way they face is open
             found += [(Clause(what, (Made(_LINE), *said), "build"), end) for what, said, end in existing]
             rows = [(what, way) for what, end in self.phrase(lined) for way in self.ordered(_LINE, end)]
             found += [(Clause(what, (Made(row),), "build"), end) for what, (row, end) in rows]
+        if verb in _CAP and not no:
+            for what, end in self.phrase(start):
+                upper = self.single(end + 1) if self.text(end) == "with" else ()
+                found += [(Clause(what, (Bears(one),), "put"), stop) for one, stop in upper]
         if verb in _STACK and not no:
             for what, end in self.phrase(start):
                 for tower, stop in ((TOWER, end), *self.ordered(TOWER, end)):
@@ -203,6 +238,17 @@ class Reader(Verbs):
         if no:
             denied = [(replace(clause, predicates=opposite_of(clause.predicates)), end) for clause, end in found]
             found = [(clause, end) for clause, end in denied if clause.predicates]
+        return found
+
+    def _until(self, start: int) -> Ways[Clause]:
+        """ "(bring) the two over so that both are next to it": where they are to be is told behind."""
+        found: Ways[Clause] = []
+        for what, end in self.phrase(start):
+            so = self.past_any(end + (self.text(end) in {"over", ","}), "so that", "such that", "until")
+            for clause, stop in self._statement(so) if so else ():
+                same = isinstance(clause.subject, Pronoun) and (clause.subject.word == "it") != several(what)
+                if same and clause.mood in {"so", "must"} and _says(clause):
+                    found.append((replace(clause, subject=what, mood="put"), stop))
         return found
 
     def _built(self, start: int, *, laid: bool) -> Ways[Clause]:
@@ -247,7 +293,8 @@ class Reader(Verbs):
         """ "behind it another row", "between both is the digit 0", "beside this stack goes a tower"."""
         found: Ways[Clause] = []
         if within := self.past_any(at, "in", "of"):
-            found += [(Clause(what, (), "in"), end) for what, end in self.single(within) if isinstance(what, Noun)]
+            wholes = [way for way in self.phrase(within) if isinstance(way[0], Noun | Both)]
+            found += [(Clause(what, (), "in"), end) for what, end in wholes]
         for place, end in self.place(at):
             starts = {self.past_any(end, way) for way in _FRONTED} | {end}
             for start in starts - {0}:
@@ -293,13 +340,14 @@ class Reader(Verbs):
         )
         looks: Ways[tuple[Predicate, ...]] = [((Looks(how),), end) for how, end in self._ordered(start)]
         if self.text(at) == ",":
-            looks += [
-                ((place,), end) for place, end in self.place(at + 1) if place.relation in {"in turn", "side by side"}
-            ]
+            said_of_all = {"in turn", "side by side", "any order"}
+            looks += [((place,), end) for place, end in self.place(at + 1) if place.relation in said_of_all]
         if color := lexicon.COLOR.get(self.text(start)):
             looks.append(((Looks(Noun(color=color)),), start + 1))
         if end := self.past_any(start, *_LINED):
             looks.append(((Made(Noun(det="a", noun="row", ranks=("left",))),), end))
+        sorted_so = self.ordered(Noun(det="a", noun="row"), start)
+        looks += [((Made(row),), end) for row, end in sorted_so if self.text(end - 1) == "right"]
         if end := self.past_any(start, "lined up", ", lined up"):
             looks.append(((Made(_LINE),), end))
         verbs = self.verbs(start) if start > at or self.text(start).endswith("ing") else []
@@ -309,6 +357,10 @@ class Reader(Verbs):
 def _says(clause: Clause) -> bool:
     """Whether a clause says one thing, and by itself."""
     return bool(clause.predicates) and clause.other is None and clause.aside is None
+
+
+def _several_named(phrase: Phrase) -> bool:
+    return isinstance(phrase, Both) and not phrase.either
 
 
 def several(phrase: Phrase) -> bool:

@@ -10,7 +10,7 @@ from rpg.blocks.figures import FEWEST
 from rpg.language.compose.items import FIGURES, PARTS, SYMBOL_KINDS, shows
 from rpg.language.compose.lined import line_up, of_line
 from rpg.language.compose.places_of import DRAWN, line_of, places, steps
-from rpg.language.compose.scene import SIDES, Figure, Ref, Scene, Unclear
+from rpg.language.compose.scene import SIDES, Fact, Figure, Ref, Scene, Unclear
 from rpg.language.compose.syntax import Both, Chain, Label, Listing, Noun, Phrase, Pronoun
 
 Resolve = Callable[[Scene, Phrase], Ref]
@@ -51,7 +51,9 @@ def figures_of(scene: Scene, noun: Noun, resolve: Resolve) -> Ref:
             raise Unclear
     if noun.nth or noun.bound or set(noun.ranks) - {"tall", "short", "hollow", "full"}:
         raise Unclear
-    if noun.count > 1 and (noun.made == "from" or (isinstance(noun.content, Both | Chain) and noun.made != "each")):
+    if noun.count > 1 and (
+        noun.made.startswith("from") or (isinstance(noun.content, Both | Chain) and noun.made != "each")
+    ):
         raise Unclear  # these are all of their blocks, or those of each
     if kind in {"row", "line"} and isinstance(noun.content, Noun) and noun.content.noun == "tower":
         towers = resolve(scene, noun.content)
@@ -120,7 +122,9 @@ def _ranked(scene: Scene, found: list[int], noun: Noun) -> list[int]:
                 raise Unclear
             found = [0 if rank == "former" else 1]
         else:
-            found = [n for n in found if _is_farthest(scene, n, found, rank)]
+            among = Ref("figure", found)
+            _tell_apart(scene, among, rank)
+            found = [n for n in found if is_farthest(scene, n, among, rank)]
     if noun.nth:
         if noun.nth > len(found):
             raise Unclear
@@ -128,29 +132,39 @@ def _ranked(scene: Scene, found: list[int], noun: Noun) -> list[int]:
     return found
 
 
-def _is_farthest(scene: Scene, n: int, found: list[int], rank: str) -> bool:
-    """Whether a figure is said to be on that side of all others of these."""
+def _tell_apart(scene: Scene, both: Ref, rank: str) -> None:
+    """ "The left one" of two towers that look alike: one of them is to the left of the other, whichever."""
+    a, b = (scene.figures[n] for n in both.ids) if len(both.ids) == 2 else (None, None)
+    if a is None or b is None or a.kind != "tower" or rank not in TOWARD or not scene.alike([*a.blocks, *b.blocks]):
+        return
+    sides = any(fact.said in TOWARD.values() for fact in scene.facts)
+    if not sides and not scene.told_of("block") & {*a.blocks, *b.blocks} and len(a.blocks) == len(b.blocks):
+        scene.facts.append(Fact(Ref("figure", both.ids[:1]), TOWARD[rank], Ref("figure", both.ids[1:])))
+
+
+def is_farthest(scene: Scene, n: int, among: Ref, rank: str) -> bool:
+    """Whether one of several is said to be on that side of all others, or between them."""
+    others = [m for m in among.ids if m != n]
     if rank == "middle":
-        sides = [r for r in ("left", "near") if all(_is_between(scene, n, found, r) for _ in found)]
+        sides = [r for r in ("left", "near") if _is_between(scene, n, others, among.kind, r)]
         return bool(sides)
     if rank not in TOWARD:
         raise Unclear
-    return all(_is_toward(scene, n, other, rank) for other in found if other != n)
+    return all(_is_toward(scene, n, other, among.kind, rank) for other in others)
 
 
-def _is_between(scene: Scene, n: int, found: list[int], rank: str) -> bool:
-    others = [m for m in found if m != n]
-    toward = [m for m in others if _is_toward(scene, n, m, rank)]
-    away = [m for m in others if _is_toward(scene, m, n, rank)]
+def _is_between(scene: Scene, n: int, others: list[int], kind: str, rank: str) -> bool:
+    toward = [m for m in others if _is_toward(scene, n, m, kind, rank)]
+    away = [m for m in others if _is_toward(scene, m, n, kind, rank)]
     return len(toward) == len(away) and len(toward) + len(away) == len(others) > 0
 
 
-def _is_toward(scene: Scene, a: int, b: int, rank: str) -> bool:
+def _is_toward(scene: Scene, a: int, b: int, kind: str, rank: str) -> bool:
     return any(
         (fact.said.endswith(TOWARD[rank]) and fact.a.ids == [a] and fact.b.ids == [b])
         or (fact.said.endswith(TOWARD[OPPOSITE[rank]]) and fact.a.ids == [b] and fact.b.ids == [a])
         for fact in scene.facts
-        if fact.a.kind == "figure" and fact.b is not None and fact.b.kind == "figure" and not fact.no
+        if fact.b is not None and fact.a.kind == fact.b.kind == kind and not fact.no
     )
 
 
@@ -167,7 +181,7 @@ def _made(scene: Scene, noun: Noun, kind: str, resolve: Resolve) -> int:
     if isinstance(content, Chain):
         figure.blocks = [_storey(scene, of, resolve) for of in reversed(content.parts)]
         figure.told = True
-        if kind != "tower" or noun.made == "from" or len(set(figure.blocks)) < len(figure.blocks):
+        if kind != "tower" or noun.made.startswith("from") or len(set(figure.blocks)) < len(figure.blocks):
             raise Unclear
     elif content is not None:
         if isinstance(content, Noun) and content.noun == "one" and content.color and content.count and not content.det:
@@ -180,7 +194,7 @@ def _made(scene: Scene, noun: Noun, kind: str, resolve: Resolve) -> int:
         figure.blocks = list(ref.ids)
         labels = [scene.blocks[n].label for n in ref.ids]
         if noun.made == "from" and len(labels) > 2 and all(map(str.isdigit, labels)) and labels == sorted(labels):
-            raise Unclear  # "a row from 1 to 5" is in this order, "from the digits 1 to 5" in any
+            raise Unclear  # "a row from 1 to 5" is in this order, one "from the digits 1 to 5" in any
         figure.free = isinstance(content, Both) and any(isinstance(p, Noun) and p.count > 1 for p in content.parts)
     elif noun.order == "alternating":
         figure.blocks = _alternating(scene, noun, size)

@@ -6,9 +6,10 @@ from dataclasses import replace
 from itertools import combinations
 
 from rpg.language.compose.chosen import chosen
-from rpg.language.compose.figures import ALL, figures_of, has_first, part, within
+from rpg.language.compose.figures import ALL, TOWARD, figures_of, has_first, is_farthest, part, within
 from rpg.language.compose.items import FIGURES, PARTS, SYMBOL_KINDS
-from rpg.language.compose.listed import counted_alike, face_each_other, symbols
+from rpg.language.compose.listed import by_worth, counted_alike, face_each_other, symbols
+from rpg.language.compose.pronouns import pronoun
 from rpg.language.compose.scene import Patch, Ref, Scene, Unclear
 from rpg.language.compose.syntax import Both, Chain, Label, Listing, Noun, Phrase, Pronoun
 
@@ -19,7 +20,7 @@ _HIGH = {"top": "tall", "bottom": "short"}
 def resolve(scene: Scene, phrase: Phrase) -> Ref:
     """What a phrase stands for; what it tells of for the first time is put into the scene."""
     if isinstance(phrase, Pronoun):
-        return scene.mention(_pronoun(scene, phrase.word))
+        return scene.mention(pronoun(scene, phrase.word))
     if isinstance(phrase, Label):
         return scene.mention(Ref("block", [_labelled(scene, phrase.label, phrase.color)]))
     if isinstance(phrase, Both):
@@ -68,6 +69,7 @@ def _both(scene: Scene, phrase: Both) -> Ref:
     if len(set(ids)) < len(ids):
         raise Unclear
     rest = [n for ref in refs for n in ref.rest]
+    scene.here = [ref for ref in scene.here if ref not in refs]  # "it" is none of several that are told together
     return scene.mention(Ref(refs[0].kind, ids, rest, fresh=all(ref.fresh for ref in refs)))
 
 
@@ -87,61 +89,6 @@ def _one_of(scene: Scene, phrase: Both) -> Ref:
     return scene.mention(replace(one, fresh=False, either=True))
 
 
-def _pronoun(scene: Scene, word: str) -> Ref:
-    """The one thing, or the one lot, that was spoken of last and that it can stand for."""
-    if word == "which":
-        return _last(scene)
-    if word == "neither":
-        if len(scene.patches) != 2:
-            raise Unclear
-        return Ref("patch", [0, 1], no=True)
-    many = word in {"they", "their", "them", "these", "those", "both"}
-    for spoken in (scene.here, scene.before):
-        fits = [ref for ref in spoken if (len(ref.ids) > 1) == many and ref.kind != "table"]
-        fits = [ref for ref in fits if not _is_subject(scene, ref)]
-        if many and not fits and spoken is scene.before and len(scene.figures) > 1:
-            if any(figure.implied for figure in scene.figures):
-                raise Unclear
-            fits = [Ref("figure", list(range(len(scene.figures))))]
-        if word == "both":
-            fits = [ref for ref in fits if len(ref.ids) == 2]
-        if not fits:
-            continue
-        first = fits[0] if len({(ref.kind, tuple(ref.ids)) for ref in fits}) == 1 else None
-        if first is None or (first.kind == "block" and not many and _is_member(scene, first.ids[0])):
-            raise Unclear
-        stocked = {n for lot in scene.stock for n in lot}
-        if many and first.kind == "block" and set(first.ids) < stocked and not stocked & scene.used:
-            raise Unclear  # those that were told of last, or all that there are
-        whole = next(
-            (n for n, f in enumerate(scene.figures) if f.kind == "tower" and set(f.blocks) == set(first.ids)), None
-        )
-        if first.kind == "block" and whole is not None:
-            return Ref("figure", [whole])
-        return replace(first, fresh=False, each=False, bound="", no=False)
-    raise Unclear
-
-
-def _is_member(scene: Scene, block: int) -> bool:
-    """Whether a block was told as one of a figure: "it" may be either."""
-    return any(block in f.blocks and not f.implied for f in scene.figures)
-
-
-def _is_subject(scene: Scene, ref: Ref) -> bool:
-    """Whether this is, or is one of, what something is being said of, or holds it: "it" is something else then."""
-    if scene.subject is not None and (ref.kind, scene.subject[0]) == ("figure", "block"):
-        return any(set(scene.subject[1]) & set(scene.figures[n].blocks) for n in ref.ids)
-    return scene.subject is not None and ref.kind == scene.subject[0] and set(ref.ids) <= set(scene.subject[1])
-
-
-def _last(scene: Scene) -> Ref:
-    """What "which" stands for: what is told right before it."""
-    spoken = scene.here or scene.before
-    if not spoken or spoken[-1].kind == "table":
-        raise Unclear
-    return replace(spoken[-1], fresh=False, each=False, bound="", no=False)
-
-
 def _noun(scene: Scene, noun: Noun) -> Ref:
     if noun.that:
         return chosen(scene, noun, resolve)
@@ -150,18 +97,29 @@ def _noun(scene: Scene, noun: Noun) -> Ref:
     if noun.det == "other" and noun.noun not in PARTS:
         return _others(scene, noun)
     of_figure = noun.noun in PARTS or noun.ranks or noun.nth
+    if by_worth(scene, noun):
+        return symbols(scene, noun, resolve)
     if noun.of is None and noun.noun in SYMBOL_KINDS and of_figure:
         return part(scene, noun, resolve)
+    if noun.of == Pronoun("both") and noun.ranks and noun.noun in {"one", "block"}:
+        return of_two(scene, noun)
     if noun.of is not None and of_figure and noun.noun not in FIGURES - {"row", "column"}:
         return part(scene, noun, resolve)
     if noun.of is not None and noun.noun in SYMBOL_KINDS | {"sign"}:
         return symbols(scene, noun, resolve)
-    if noun.of is not None or noun.det == "but":
+    if noun == Noun(noun="one") and scene.whole:
+        return _some_of(scene, Noun(count=1))
+    if noun.of is not None or noun.det == "but" or noun == Noun(count=noun.count, bound=noun.bound):
         return _some_of(scene, noun)
     if noun.noun in {"row", "layer", "column"} and noun.ranks and within(scene):
         return part(scene, noun, resolve)
     if noun.noun == "one" and noun.det in {"a", "another"} and not noun.color and scene.figures:
         return figures_of(scene, noun, resolve)
+    if noun == Noun(det="another", noun="one"):
+        left = [n for n in scene.whole if n not in scene.taken]
+        if not scene.taken or not left or not scene.alike(left):
+            raise Unclear
+        return _take(scene, left[:1])
     if noun.noun == "one" and noun.color and noun.det == "the" and not noun.ranks:
         own = [n for n, f in enumerate(scene.figures) if {scene.blocks[b].color for b in f.blocks} == {noun.color}]
         like = [n for n, block in enumerate(scene.blocks) if block.color == noun.color]
@@ -196,11 +154,31 @@ def _by_rank(scene: Scene, noun: Noun) -> Ref:
         if len(left) == 1:
             return _take(scene, left)
         raise Unclear
-    towers = [figure for figure in scene.figures if figure.kind == "tower" and not figure.implied]
-    if noun.noun == "one" and 1 < len(towers) == len(scene.figures) and (scene.lines or noun.ranks[0] in _HIGH):
+    if not scene.figures:
+        return of_two(scene, noun)
+    built = [figure for figure in scene.figures if not figure.implied]
+    sides = TOWARD.keys() | _HIGH.keys() if built[:1] and built[0].kind == "tower" else {"near", "far"}
+    same = 1 < len(built) == len(scene.figures) and len({figure.kind for figure in built}) == 1
+    if noun.noun == "one" and same and (scene.lines or noun.ranks[0] in sides):
         ranks = tuple(_HIGH.get(rank, rank) for rank in noun.ranks)
-        return figures_of(scene, replace(noun, noun="tower", ranks=ranks), resolve)
+        return figures_of(scene, replace(noun, noun=built[0].kind, ranks=ranks), resolve)
     return part(scene, noun, resolve)
+
+
+def of_two(scene: Scene, noun: Noun) -> Ref:
+    """ "the right-hand one of the two", "the middle one": by where they are told to be."""
+    if noun == Noun(det="the", noun="one", ranks=("middle",)):
+        between = [fact.a for fact in scene.facts if fact.said == "between" and not fact.no]
+        if len(between) != 1:
+            raise Unclear
+        return between[0]
+    both = pronoun(scene, "both")
+    if len(both.ids) == 1:
+        return part(scene, replace(noun, of=None), resolve)
+    found = [n for n in both.ids if len(noun.ranks) == 1 and is_farthest(scene, n, both, noun.ranks[0])]
+    if len(found) != 1 or noun.color or noun.many or noun.count or noun.nth or noun.det != "the":
+        raise Unclear
+    return Ref(both.kind, found)
 
 
 def _take(scene: Scene, ids: list[int]) -> Ref:
@@ -256,11 +234,14 @@ def _some_of(scene: Scene, noun: Noun) -> Ref:
     here = list(scene.here)
     if noun.color or noun.ranks or noun.nth or noun.content is not None:
         raise Unclear
+    if noun.det == "any" and not noun.count and not noun.noun:  # "on either of them"
+        noun = replace(noun, det="", count=1)
     if noun.of is None and not scene.whole:
         raise Unclear
     whole = resolve(scene, noun.of) if noun.of is not None else Ref("block", list(scene.whole))
     scene.here = here  # those that are meant are spoken of, not those that they are some of
-    if whole.kind == "figure" and noun.noun in {"block", "one"}:
+    of_one = noun.of == Pronoun("them") and len(whole.ids) == 1
+    if whole.kind == "figure" and (noun.noun in {"block", "one"} or of_one):
         whole = Ref("block", [n for at in whole.ids for n in scene.figures[at].blocks])
     if whole.fresh and whole.kind == "block" and scene.figures and isinstance(noun.of, Noun) and noun.of.det != "the":
         raise Unclear  # "one of two blocks" may be a figure
@@ -275,9 +256,9 @@ def _some_of(scene: Scene, noun: Noun) -> Ref:
         return Ref(whole.kind, ids, each=noun.det == "each", every=True)
     if noun.det == "no":
         return Ref(whole.kind, ids, no=True, each=True)
-    if whole.kind == "figure" and noun.count and noun.count < len(ids) and noun.bound in {"", "exactly"}:
-        return _some_figures(scene, ids, noun)
     count = len(ids) // 2 if noun.det == "half" else len(ids) - noun.count if noun.det == "but" else noun.count
+    if whole.kind == "figure" and 0 < count < len(ids) and noun.bound in {"", "exactly"} and noun.det != "half":
+        return _some_figures(scene, ids, count, "exactly" if noun.det == "but" else noun.bound)
     if whole.kind != "block" or count < 1 or count > len(ids) or (noun.det == "half" and len(ids) % 2):
         raise Unclear
     if noun.bound == "most" or (not scene.alike(ids) and (noun.bound == "least" or noun.det)):
@@ -303,14 +284,14 @@ def _some_of(scene: Scene, noun: Noun) -> Ref:
     return replace(_take(scene, chosen), rest=rest, bound=noun.bound)
 
 
-def _some_figures(scene: Scene, ids: list[int], noun: Noun) -> Ref:
+def _some_figures(scene: Scene, ids: list[int], count: int, bound: str) -> Ref:
     """So many of figures that look alike, and of which nothing was said yet."""
     figures = [scene.figures[n] for n in ids]
     looks = {(f.kind, f.size, tuple(scene.blocks[n].look[:2] for n in f.blocks)) for f in figures}
     blocks = scene.told_of("block")
     if len(looks) > 1 or scene.told_of("figure") & set(ids) or any(blocks & set(figure.blocks) for figure in figures):
         raise Unclear
-    return Ref("figure", ids[: noun.count], ids[noun.count :], bound=noun.bound)
+    return Ref("figure", ids[:count], ids[count:], bound=bound)
 
 
 def _patch(scene: Scene, noun: Noun) -> Ref:
@@ -346,7 +327,7 @@ def _blocks(scene: Scene, noun: Noun) -> Ref:
         raise Unclear
     if not like and definite and noun.det and not noun.noun:
         raise Unclear  # "the red" may be a patch
-    if not like and definite and noun.noun == "one" and (scene.figures or scene.patches or not scene.blocks):
+    if not like and definite and noun.noun == "one" and (scene.patches or not _told_as_block(scene)):
         raise Unclear  # the red one of what?
     if noun.noun == "one" and not definite and ((like and noun.det != "another") or not _told_as_block(scene)):
         raise Unclear
@@ -386,7 +367,15 @@ def _blocks(scene: Scene, noun: Noun) -> Ref:
 def _told_as_block(scene: Scene) -> bool:
     """Whether "a green one" is a block: what was told of last is one, not a figure."""
     told = scene.here or [ref for ref in scene.before if ref.fresh]
-    return bool(told) and told[-1].kind == "block" and (bool(scene.here) or all(ref.kind == "block" for ref in told))
+    lots = [set(ref.ids) for ref in told if ref.kind == "block"]
+    blocks = [ref.kind == "block" or (ref.kind == "figure" and _has_no_color(scene, ref, lots)) for ref in told]
+    return bool(told) and blocks[-1] and (bool(scene.here) or all(blocks))
+
+
+def _has_no_color(scene: Scene, ref: Ref, lots: list[set[int]]) -> bool:
+    """Whether a figure is formed by blocks that were told by themselves, or shows symbols alone."""
+    own = [n for at in ref.ids for n in scene.figures[at].blocks]
+    return set(own) in lots or all(scene.blocks[n].label for n in own)
 
 
 def _in_stock(scene: Scene, color: str) -> list[int]:

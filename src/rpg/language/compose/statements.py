@@ -11,12 +11,14 @@ from itertools import pairwise, permutations
 from rpg.language.compose.items import PARTS
 from rpg.language.compose.lined import line_up
 from rpg.language.compose.nouns import resolve
+from rpg.language.compose.pronouns import landmark
 from rpg.language.compose.relating import at_part, bare, between, in_region, on, place, tops_of
-from rpg.language.compose.scene import SIDES, Fact, Ref, Scene, Unclear
+from rpg.language.compose.scene import SIDES, Fact, Impossible, Ref, Scene, Unclear
 from rpg.language.compose.subjects import check_said, check_subject, there_is, told_of_figures
 from rpg.language.compose.syntax import (
     STAY,
     TOWER,
+    Among,
     Bears,
     Both,
     Chain,
@@ -118,7 +120,23 @@ def _introduced(scene: Scene, ways: Sequence[Callable[[Scene], None]]) -> int:
     return len(scene.blocks)
 
 
+def _narrow(scene: Scene, clause: Clause, said: Among) -> None:
+    """ "(One of A, B and C,) but not B": leaves those ways to have what was said ahead in which this is so."""
+    known, taken = len(scene.blocks), set(scene.taken)
+    if not any(ref.kind == "block" and set(ref.ids) == taken for ref in scene.before) or not taken < set(scene.whole):
+        raise Unclear
+    them = resolve(scene, clause.subject)
+    if them.kind != "block" or len(scene.blocks) > known or not set(them.ids) <= set(scene.whole):
+        raise Unclear
+    if (set(them.ids) <= taken) == said.no:
+        raise Impossible
+    scene.here, scene.spare = list(scene.before), scene.spare | set(scene.whole)
+
+
 def _say(scene: Scene, clause: Clause) -> None:
+    if isinstance(among := clause.predicates[0] if clause.predicates else None, Among):
+        _narrow(scene, clause, among)
+        return
     clause = told_of_figures(scene, clause)
     subject = clause.subject
     if isinstance(subject, Chain):
@@ -160,6 +178,7 @@ def _say(scene: Scene, clause: Clause) -> None:
         if isinstance(said, Made) and ref.kind == "block" and scene.figures[-1].kind == "tower":
             ref = Ref("figure", [len(scene.figures) - 1])  # what is said next is said of the tower
     scene.subject = None
+    scene.around = scene.around if clause.mood else None  # behind "next to it a red block" that is spoken of first
     scene.place_barred()
     if clause.predicates and ref.kind == "block":
         scene.used.update(ref.ids)
@@ -184,6 +203,8 @@ def _stacked(scene: Scene, chain: Chain) -> None:
     lowest = chain.parts[-1]
     if scene.patches and isinstance(lowest, Noun) and not lowest.noun:
         raise Unclear  # a block or a patch of that colour
+    if any(isinstance(part, Pronoun) for part in chain.parts):
+        raise Unclear  # a place, not a tower that is told
     refs = [resolve(scene, part) for part in chain.parts]
     if any(ref.kind != "block" or len(ref.ids) != 1 for ref in refs):
         raise Unclear
@@ -223,9 +244,13 @@ def _each_of_a_new_one(subject: Phrase, said: Sequence[Predicate]) -> bool:
     target = said[0].of
     if isinstance(target, Both) and all(isinstance(part, Noun) and (part.nth or part.ranks) for part in target.parts):
         target = Noun(det="both")  # "on the second and the fourth"
-    if not isinstance(subject, Noun) or not isinstance(target, Noun) or target.det not in {"each", "both", "all"}:
+    if not isinstance(subject, Noun) or not isinstance(target, Noun):
         return False
     several = any_number(subject)
+    if said[0].relation != "on" and target.det != "each":
+        return False  # to the left of both of them at once
+    if target.det not in {"each", "both", "all"} and not (several and target.det == "the" and target.count > 1):
+        return False
     one = subject.det in {"a", "another"} or (not subject.det and subject.count == 1 and not subject.bound)
     return several or (one and not subject.of and not subject.many and subject.count < 2)
 
@@ -273,7 +298,7 @@ def _said(scene: Scene, ref: Ref, said: Predicate) -> None:
         _looks(scene, ref, said.like)
     elif isinstance(said, Bears):
         _bears(scene, ref, said)
-    elif isinstance(said, Holds | Holding | NotBoth):
+    elif isinstance(said, Among | Holds | Holding | NotBoth):
         raise Unclear
     elif said.relation == "region":
         in_region(scene, ref, said)
@@ -289,7 +314,10 @@ def _said(scene: Scene, ref: Ref, said: Predicate) -> None:
             return
         if isinstance(of, Noun) and of.det == "another":
             raise Unclear
-        target = resolve(scene, of)
+        around, scene.around = landmark(scene, said), None
+        target = scene.mention(around) if around else resolve(scene, of)
+        if len(target.ids) == 1:
+            scene.around = (said.relation, target, of == Pronoun("it"))
         if target.either and (said.no or len(ref.ids) > 1 or ref.each):
             raise Unclear  # on none of them, or not on one; all on one, or some on each
         named = isinstance(of, Noun) and of.det == "the" and not of.many
@@ -305,7 +333,11 @@ def _forms(scene: Scene, ref: Ref, phrase: Phrase) -> None:
             raise Unclear
         line_up(scene, ref.ids, from_left=phrase.ranks == ("left",))
         return
-    if ref.kind != "block" or not isinstance(phrase, Noun) or phrase.content is not None or ref.each or ref.bound:
+    if ref.kind != "block" or not isinstance(phrase, Noun) or phrase.content is not None or ref.each:
+        raise Unclear
+    if ref.bound == "exactly" and phrase == TOWER:  # none of the others is on another
+        scene.facts += [Fact(Ref("block", [n]), "table") for n in ref.rest]
+    elif ref.bound:
         raise Unclear
     if phrase.count > 1 or phrase.det not in {"a", ""} or phrase.color:
         raise Unclear

@@ -1,0 +1,99 @@
+"""What "it", "they", "both" and "which" stand for."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from rpg.language.compose.scene import Ref, Scene, Unclear
+from rpg.language.compose.syntax import Place, Pronoun
+
+_OPPOSITE = {"left": "right", "right": "left", "front": "behind", "behind": "front"}
+
+
+def pronoun(scene: Scene, word: str) -> Ref:
+    """The one thing, or the one lot, that was spoken of last and that it can stand for."""
+    if word == "which":
+        return _last(scene)
+    if word == "neither":
+        if len(scene.patches) != 2:
+            raise Unclear
+        return Ref("patch", [0, 1], no=True)
+    many = word in {"they", "their", "them", "these", "those", "both"}
+    for spoken in (scene.here, scene.before):
+        fits = [ref for ref in spoken if (len(ref.ids) > 1) == many and ref.kind != "table"]
+        fits = [ref for ref in fits if not _is_subject(scene, ref)]
+        if many and not fits and spoken is scene.before and len(scene.figures) > 1:
+            if any(figure.implied for figure in scene.figures):
+                raise Unclear
+            fits = [Ref("figure", list(range(len(scene.figures))))]
+        if word == "both":
+            fits = [ref for ref in fits if len(ref.ids) == 2] or _pair(scene, spoken)
+        if many and not fits:
+            fits = _one_of_several(scene, spoken)
+        if not fits:
+            continue
+        first = fits[0] if len({(ref.kind, tuple(ref.ids)) for ref in fits}) == 1 else None
+        if first is None or (first.kind == "block" and not many and _is_member(scene, first.ids[0])):
+            raise Unclear
+        stocked = {n for lot in scene.stock for n in lot}
+        if many and first.kind == "block" and set(first.ids) < stocked and not stocked & scene.used:
+            raise Unclear  # those that were told of last, or all that there are
+        whole = next(
+            (n for n, f in enumerate(scene.figures) if f.kind == "tower" and set(f.blocks) == set(first.ids)), None
+        )
+        if first.kind == "block" and whole is not None:
+            return Ref("figure", [whole])
+        return replace(first, fresh=False, each=False, bound="", no=False)
+    raise Unclear
+
+
+def _others(scene: Scene, spoken: Sequence[Ref]) -> list[Ref]:
+    """What was spoken of, each thing once, without what something is being said of."""
+    others = [ref for ref in spoken if not _is_subject(scene, ref)]
+    return list({(ref.kind, tuple(ref.ids)): ref for ref in others}.values())
+
+
+def _pair(scene: Scene, spoken: Sequence[Ref]) -> list[Ref]:
+    """Two things that were told one by one, and nothing else."""
+    others = _others(scene, spoken)
+    kinds = {ref.kind for ref in others}
+    if len(others) != 2 or len(kinds) > 1 or any(len(ref.ids) != 1 or ref.either for ref in others):
+        return []
+    return [Ref(kinds.pop(), [n for ref in others for n in ref.ids])]
+
+
+def _one_of_several(scene: Scene, spoken: Sequence[Ref]) -> list[Ref]:
+    """The only figure that was spoken of, if it was told of how many blocks it is: "they" are these."""
+    others = _others(scene, spoken)
+    return [ref for ref in others if len(others) == 1 and ref.kind == "figure" and scene.figures[ref.ids[0]].counted]
+
+
+def landmark(scene: Scene, said: Place) -> Ref | None:
+    """What "it" is, where things are told around one: "C goes left of D, A right of it and B on it"."""
+    if scene.around is None or said.of != Pronoun("it") or _others(scene, scene.here):
+        return None
+    relation, target, by_it = scene.around
+    other_side = _OPPOSITE.get(relation) == said.relation
+    return target if other_side or (by_it and relation != said.relation) else None
+
+
+def _is_member(scene: Scene, block: int) -> bool:
+    """Whether a block was told as one of a figure: "it" may be either, unless it is said of one of them."""
+    own = set(scene.subject[1]) if scene.subject is not None and scene.subject[0] == "block" else set()
+    return any(block in f.blocks and not f.implied and not own & set(f.blocks) for f in scene.figures)
+
+
+def _is_subject(scene: Scene, ref: Ref) -> bool:
+    """Whether this is, or is one of, what something is being said of, or holds it: "it" is something else then."""
+    if scene.subject is not None and (ref.kind, scene.subject[0]) == ("figure", "block"):
+        return any(set(scene.subject[1]) & set(scene.figures[n].blocks) for n in ref.ids)
+    return scene.subject is not None and ref.kind == scene.subject[0] and set(ref.ids) <= set(scene.subject[1])
+
+
+def _last(scene: Scene) -> Ref:
+    """What "which" stands for: what is told right before it."""
+    spoken = scene.here or scene.before
+    if not spoken or spoken[-1].kind == "table":
+        raise Unclear
+    return replace(spoken[-1], fresh=False, each=False, bound="", no=False)

@@ -54,7 +54,6 @@ _STACK = frozenset({"stack", "pile"})
 _PILED_AT = frozenset({"on", "in", "off", "under", "region", "top", "table"})
 """Where one may stack things; what is stacked beside something, or between, need not stand on the table."""
 _LINE = Noun(det="a", noun="line")
-_INTO = ("as", "in", "into", "in the shape of", "out as")
 _THERE = ("there is", "there are", "you have", "we have", "i have", "here is", "here are")
 _THEN = (
     ", finally", ", and finally", ". finally", "; finally", "and finally", ". lastly", ", then",
@@ -214,15 +213,10 @@ class Reader(Verbs):
                 found += [(Clause(what, (), "build", said), stop) for said, stop in self.last_at(what, end)]
                 found += [(Clause(what, said, "build"), stop) for said, stop in self._rest(end)]
             sorted_so = [(row.order, at) for row, at in self.ordered(Noun(noun="row"), end)]
-            intos = [(order, self.past_any(at, way)) for order, at in [("", end), *sorted_so] for way in _INTO]
-            for order, into in dict.fromkeys(intos):
-                for figure, stop in self.single(into) if into else ():
-                    if isinstance(figure, Noun) and figure.noun in FIGURES:
-                        figure = replace(figure, order=order) if order else figure
-                        found.append((Clause(what, (Made(figure),), "build"), stop))
-                        found += [
-                            (Clause(what, (Made(figure), *said), "build"), last) for said, last in self._rest(stop)
-                        ]
+            for order, figure, stop in ((order, *way) for order, at in [("", end), *sorted_so] for way in self.into(at)):
+                figure = replace(figure, order=order) if order else figure
+                found.append((Clause(what, (Made(figure),), "build"), stop))
+                found += [(Clause(what, (Made(figure), *said), "build"), last) for said, last in self._rest(stop)]
         return found
 
     def _existing(self, at: int) -> list[tuple[Phrase, tuple[Predicate, ...], int]]:

@@ -207,7 +207,7 @@ def _made(scene: Scene, noun: Noun, kind: str, resolve: Resolve) -> int:
     if len(figure.blocks) < 2 or any(n in f.blocks for f in scene.figures for n in figure.blocks):
         raise Unclear
     if noun.order and not figure.alternates:
-        _put_in_order(scene, figure, noun.order)
+        put_in_order(scene, figure, noun.order)
     scene.figures.append(figure)
     scene.here = here  # "it" is the figure, not what it is made of
     return len(scene.figures) - 1
@@ -264,10 +264,10 @@ def _check_size(figure: Figure, size: tuple[int, ...], noun: Noun) -> None:
     figure.kind = "grid" if kind == "square" else kind
 
 
-def _put_in_order(scene: Scene, figure: Figure, order: str) -> None:
+def put_in_order(scene: Scene, figure: Figure, order: str) -> None:
     """ "In alphabetical order", "descending": by what its blocks show; from the left, or from the bottom up."""
     labels = [scene.blocks[n].label for n in figure.blocks]
-    letters = order == "alphabetical"
+    letters = order == "alphabetical" or (order == "ascending" and labels[0].isalpha())
     if figure.kind not in {"row", "line", "tower"} or figure.told:
         raise Unclear
     if not all(label.isalpha() if letters else label.isdigit() for label in labels):

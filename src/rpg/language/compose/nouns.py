@@ -6,9 +6,10 @@ from dataclasses import replace
 from itertools import combinations
 
 from rpg.language.compose.chosen import chosen
+from rpg.language.compose.facing import face_each_other
 from rpg.language.compose.figures import ALL, figures_of, has_first, part, within
 from rpg.language.compose.items import FIGURES, PARTS, SYMBOL_KINDS
-from rpg.language.compose.listed import counted_alike, face_each_other, symbols
+from rpg.language.compose.listed import counted_alike, symbols
 from rpg.language.compose.scene import Patch, Ref, Scene, Unclear
 from rpg.language.compose.syntax import Both, Chain, Label, Listing, Noun, Phrase, Pronoun
 
@@ -95,7 +96,7 @@ def _pronoun(scene: Scene, word: str) -> Ref:
         if len(scene.patches) != 2:
             raise Unclear
         return Ref("patch", [0, 1], no=True)
-    many = word in {"they", "their", "them", "these", "those", "both"}
+    many = word in {"they", "their", "them", "these", "those", "both", "each"}
     for spoken in (scene.here, scene.before):
         fits = [ref for ref in spoken if (len(ref.ids) > 1) == many and ref.kind != "table"]
         fits = [ref for ref in fits if not _is_subject(scene, ref)]
@@ -117,9 +118,16 @@ def _pronoun(scene: Scene, word: str) -> Ref:
             (n for n, f in enumerate(scene.figures) if f.kind == "tower" and set(f.blocks) == set(first.ids)), None
         )
         if first.kind == "block" and whole is not None:
-            return Ref("figure", [whole])
-        return replace(first, fresh=False, each=False, bound="", no=False)
+            return _of_each_of_them(scene) if word in {"both", "each"} else Ref("figure", [whole])
+        return replace(first, fresh=False, each=word == "each", bound="", no=False)
     raise Unclear
+
+
+def _of_each_of_them(scene: Scene) -> Ref:
+    """ "(A and B form a tower, C and D another one,) both ...": the figures, not the blocks of the last one."""
+    if len(scene.figures) != 2 or any(figure.implied for figure in scene.figures):
+        raise Unclear
+    return Ref("figure", [0, 1], each=True)
 
 
 def _is_member(scene: Scene, block: int) -> bool:

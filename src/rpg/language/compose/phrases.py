@@ -24,7 +24,7 @@ from rpg.language.compose.syntax import (
 )
 from rpg.language.compose.words import Ways, remembered
 
-_PRONOUNS = frozenset({"it", "they", "them", "this", "that", "these", "those", "both", "neither"})
+_PRONOUNS = frozenset({"it", "they", "them", "this", "that", "these", "those", "both", "neither", "each"})
 _SIGNS = {"plus": "+", "minus": "-", "equals": "=", "times": "*", "equal": "="}
 _DETS = {
     "a": "a", "an": "a", "the": "the", "each": "each", "every": "each", "all": "all", "both": "both", "no": "no",

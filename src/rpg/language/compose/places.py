@@ -65,6 +65,7 @@ class Places(Phrases):
         if side := self.past_any(at, "to its", "on its", "at its", "in its"):
             name = {"left": "left", "right": "right", "front": "front"}.get(self.text(side), "")
             found += [(Place(name, Pronoun("it")), side + 1 + (self.text(side + 1) == "side"))] if name else []
+        found += [(Place("sorted", how=order, side=side), end) for order, side, end in self.sorted_so(at)]
         found += self._region(at)
         for how, start in self._how(at):
             if how.cm and (end := self.past_any(start, "apart", "apart from each other", "away from each other")):

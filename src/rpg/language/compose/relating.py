@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from itertools import combinations
 
-from rpg.language.compose.figures import whole_figures
+from rpg.language.compose.figures import put_in_order, whole_figures
 from rpg.language.compose.nouns import resolve
 from rpg.language.compose.places_of import places, steps
 from rpg.language.compose.scene import SIDES, Fact, Figure, Ref, Scene, Unclear
@@ -64,6 +64,11 @@ def bare(scene: Scene, ref: Ref, said: Place) -> None:
         ]
     elif name == "any order" and not said.no:
         _in_any_order(scene, ref)
+    elif name == "sorted" and ref.kind == "figure" and not said.no:
+        for figure in (scene.figures[n] for n in ref.ids):
+            if (figure.kind == "tower") != (said.side == "top"):
+                raise Unclear  # which end is the first one
+            put_in_order(scene, figure, said.how)
     elif name == "in turn" and ref.kind == "figure" and len(ref.ids) == 2 and not said.no:
         scene.facts.append(Fact(Ref("figure", ref.ids[1:]), "behind", Ref("figure", ref.ids[:1])))
     elif name in _BARE_PLACES:

@@ -109,7 +109,7 @@ class Scene:
     `stock`: lots that the text says there are; `whole` is the lot of which some were told apart last, `taken` those.
     `subject` is what something is being said of, `place` the one of a figure that was told last.
     `pending`: blocks that lie somewhere on others, and it has still to be said on which of them. `lines`: towers that
-    stand in a row. `instead`: what "or" tells besides what was taken. `script`: which of several ways to have it are
+    stand in a row; `facing`: figures told by their sides, as "the left tower" and "the right one". `instead`: what "or" tells besides what was taken. `script`: which of several ways to have it are
     taken, one after the other; `choices`: of how many each was one.
     """
 
@@ -129,6 +129,7 @@ class Scene:
     place: tuple[Figure, int] | None = None
     pending: list[tuple[list[int], list[int]]] = field(default_factory=list)
     lines: list[list[int]] = field(default_factory=list)
+    facing: dict[str, int] = field(default_factory=dict)
     instead: list[Ref] = field(default_factory=list)
     script: tuple[int, ...] = ()
     choices: list[int] = field(default_factory=list)

@@ -8,6 +8,7 @@ from dataclasses import replace
 from functools import partial
 from itertools import pairwise, permutations
 
+from rpg.language.compose.facing import face, one_more
 from rpg.language.compose.items import PARTS
 from rpg.language.compose.lined import line_up
 from rpg.language.compose.nouns import resolve
@@ -300,6 +301,9 @@ def _said(scene: Scene, ref: Ref, said: Predicate) -> None:
 
 def _forms(scene: Scene, ref: Ref, phrase: Phrase) -> None:
     """These blocks form a figure."""
+    side = phrase.ranks[0] if isinstance(phrase, Noun) and phrase.det == "the" and len(phrase.ranks) == 1 else ""
+    if isinstance(phrase, Noun):
+        phrase = one_more(scene, phrase)
     if ref.kind == "figure" and isinstance(phrase, Noun) and phrase.noun in {"row", "line"} and len(ref.ids) > 1:
         if phrase.content is not None or phrase.det not in {"a", ""} or phrase.color:
             raise Unclear
@@ -319,6 +323,8 @@ def _forms(scene: Scene, ref: Ref, phrase: Phrase) -> None:
     scene.here, scene.subject = [*here, *scene.here[1:]], subject
     if in_order:
         figure.told = figure.sided = True
+    if side:
+        face(scene, side, scene.figures.index(figure))
 
 
 def _looks(scene: Scene, ref: Ref, like: Phrase) -> None:

@@ -84,7 +84,8 @@ Phrase = Listing | Noun | Label | Pronoun | Both | Chain
 class Place:
     """A relation to something.
 
-    `how`: "directly", "immediately", "somewhere" or nothing; `cm` with `bound`: a distance; `no`: it is denied.
+    `how`: "directly", "immediately", "somewhere" or nothing; `cm` with `bound`: a distance; `no`: it is denied; `side`:
+    where an order goes.
     """
 
     relation: str
@@ -93,6 +94,7 @@ class Place:
     cm: float = 0.0
     bound: str = ""
     no: bool = False
+    side: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from rpg.blocks.nouns import article, join, number
 from rpg.language import lexicon
+from rpg.language.compose.facing import check_facing
 from rpg.language.compose.lined import FROM_LEFT, IN_A_ROW, IN_ORDER
 from rpg.language.compose.places_of import DRAWN, columns, steps
 from rpg.language.compose.scene import Block, Fact, Figure, Ref, Scene, Unclear
@@ -39,6 +40,7 @@ def tell(scene: Scene) -> list[str]:
         raise Unclear
     if not scene.blocks or len(scene.blocks) > _MOST or not (scene.facts or scene.figures):
         raise Unclear
+    check_facing(scene)
     _color_in(scene)
     figures = [figure for figure in scene.figures if not figure.implied]
     last = max((*(figure.stage for figure in figures), *(fact.stage for fact in scene.facts)), default=0)

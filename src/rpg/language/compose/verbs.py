@@ -51,6 +51,7 @@ BUILT = tuple(
 )
 _NOT_BOTH = tuple(f"{but} not both{of}" for but in ("but", ", but") for of in ("", " of them"))
 _OTHER = tuple(f"{also} {other}" for also in ("and", ", and", ",") for other in ("one", "the other", "the other one"))
+_INTO = ("in", "into", "as", "to form", "to make", "in the shape of", "out as")
 _PILED = frozenset({"stacked", "piled"})
 _FLAT = frozenset({"patch", "table"})
 
@@ -66,10 +67,7 @@ class Verbs(Places):
     def predicates(self, at: int) -> Ways[tuple[Predicate, ...]]:
         """Places, one after the other: "on the patch and left of A", "off the mat but not on the table"."""
         found: Ways[tuple[Predicate, ...]] = []
-        for into in {self.past_any(at, way) for way in ("in", "into", "as")} - {0}:
-            for figure, end in self.single(into):
-                if isinstance(figure, Noun) and figure.noun in FIGURES and figure.det in {"a", ""}:
-                    found.append(((Made(figure),), end))
+        found += [((Made(figure),), end) for figure, end in self.into(at)]
         found += self._either(at)
         found += self._shares(at)
         for place, end in self.place(at):
@@ -88,6 +86,17 @@ class Verbs(Places):
             for start in ways:
                 more_said = [*self.predicates(start), *(self.verbs(start) if self.text(start - 1) != "," else ())]
                 found += [((place, *more), stop) for more, stop in more_said]
+        return found
+
+    def into(self, at: int) -> Ways[Noun]:
+        """ "in one tower", "in another", "as a row", "in the front row"."""
+        found: Ways[Noun] = []
+        for into in {self.past_any(at, way) for way in _INTO} - {0}:
+            for what, end in self.single(into):
+                if isinstance(what, Noun) and (what.noun in FIGURES or what.noun == "one") and not what.many:
+                    another = what.det in {"another", "other"} or (what.det == "the" and len(what.ranks) == 1)
+                    if another or (what.det in {"a", ""} and what.noun in FIGURES):
+                        found.append((what, end))
         return found
 
     def _shares(self, at: int) -> Ways[tuple[Predicate, ...]]:

@@ -153,6 +153,8 @@ def _bare_distractors(p: Parser, i: int, how: Meaning) -> bool:
 def adjuncts(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
     """Any number of adjuncts, the longest run first; commas and "and" may stand between them."""
     for first, j in adjunct(p, i):
+        if isinstance(first, Into) and _of_both(p, first.structure, j):
+            continue
         for rest, k in adjuncts(p, j):
             if _later(first) and any(isinstance(a, Loc | In) for a in rest):
                 continue
@@ -179,6 +181,12 @@ def adjuncts(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
 
 _POSED = frozenset({"standing", "placed", "positioned", "lying", "sitting", "located", "set"})
 """What may stand before how what was formed stands: "as two towers, standing side by side"."""
+
+
+def _of_both(p: Parser, structure: Meaning, j: int) -> bool:
+    """ "(C and D in another), both in ascending order": what follows is said of the one ahead, too; not read here."""
+    again = isinstance(structure, Structure) and structure.kind == "again"
+    return again and p.words[p.opt(j, ",")] in {"both", "each"}
 
 
 def _of_a_time(rest: tuple[Meaning, ...]) -> bool:

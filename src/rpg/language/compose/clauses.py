@@ -66,11 +66,15 @@ _FRONTED = (",", "is", "are", "goes", "go", "stands", "stand", "there is", "ther
             "comes", "build", ", build")  # fmt: skip
 _SEPARATORS = (
     ", and then there is", ", and there is", ", and", ", but", ", while", ", with", ", plus", ", whereas", ", so that",
-    ", of which",
+    ", of which", ", except that", "except that", ", such that", "such that", "in such a way that", ", where", "where",
+    "in which", ", in which",
     "; and", ", leaving", ",", ";", ".", "!", "?", ":", "and", "but", "while", "plus", "with", "whereas", "so that",
 )  # fmt: skip
 
-_WITH = frozenset({", with", "with", ", leaving", "so that", ", so that"})
+_WITH = frozenset({
+    ", with", "with", ", leaving", "so that", ", so that", ", except that", "except that", ", such that", "such that",
+    "in such a way that", ", where", "where", "in which", ", in which",
+})  # fmt: skip
 """Behind these stands what is so of a thing that is told of, not a further thing."""
 
 
@@ -190,6 +194,9 @@ class Reader(Verbs):
                         if verb in _STACK and several(what):
                             said = (Made(TOWER), *said)
                         found.append((Clause(what, said, "put"), stop))
+        if self.text(at) == "line" and not no:
+            apart = [(what, end + 1) for what, end in self.single(at + 1) if self.text(end) == "up"]
+            found += [(Clause(what, (Made(_LINE),), "build"), end) for what, end in apart]
         if (lined := self.past_any(at, "line up")) and not no:
             existing = [way for way in self._existing(lined) if not is_figure(way[0])]  # which way they face is open
             found += [(Clause(what, (Made(_LINE), *said), "build"), end) for what, said, end in existing]

@@ -14,6 +14,12 @@ _MADE_OF = (
     "each made of", "made of", "made from", "made out of", "consisting of", "comprising", "containing", "made up of",
     "built from", "built of", "out of", "with", "in",
 )  # fmt: skip
+_OF_EACH = tuple(
+    f"{each}{of}"
+    for each in ("each", "each one", "each of them", "both", "both of them", "that are both", "which are both")
+    for of in ("", " with", " of", " made of", " consisting of", " being", " is")
+)
+"""Behind these stands what each of several figures is made of."""
 
 
 class Contents(Series, ABC):
@@ -43,6 +49,10 @@ class Contents(Series, ABC):
         """ "of three red blocks", ", blue over red", ", one of two red blocks and one of three blue ones"."""
         found: Ways[Phrase] = []
         aside = self.text(at) == ","
+        if each := self.past_any(at + aside, *_OF_EACH):
+            found += [(chain, end) for chain, end in self.single(each) if isinstance(chain, Chain)]
+            if found:
+                return found
         if end := self.past_any(at + aside, *_MADE_OF):
             if aside:
                 return [(noun, stop + (self.text(stop) == ",")) for noun, stop in self.phrase(end)]

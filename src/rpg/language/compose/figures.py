@@ -23,6 +23,7 @@ _READ = frozenset({"word", "equation"})
 """What is read from the left."""
 TOWARD = {"left": SIDES["left"], "right": SIDES["right"], "near": SIDES["front"], "far": SIDES["behind"]}
 OPPOSITE = {"left": "right", "right": "left", "near": "far", "far": "near"}
+_COUNTED = frozenset({"tower", "row", "line", "column", "staircase", "pyramid"})
 _SOLID = frozenset({"square", "grid", "wall", "cube"})
 """What is told by how wide, deep and high it is."""
 
@@ -165,7 +166,8 @@ def _made(scene: Scene, noun: Noun, kind: str, resolve: Resolve) -> int:
     figure = Figure(kind, [], size if len(size) > 1 else (), noun.word, way=noun.way)
     figure.counted = isinstance(content, Noun) and content.count > 0
     if isinstance(content, Chain):
-        figure.blocks = [_storey(scene, of, resolve) for of in reversed(content.parts)]
+        for of in reversed(content.parts):
+            figure.blocks.append(_storey(scene, of, resolve, figure.blocks))
         figure.told = True
         if kind != "tower" or noun.made == "from" or len(set(figure.blocks)) < len(figure.blocks):
             raise Unclear
@@ -213,13 +215,15 @@ def _made(scene: Scene, noun: Noun, kind: str, resolve: Resolve) -> int:
     return len(scene.figures) - 1
 
 
-def _storey(scene: Scene, phrase: Phrase, resolve: Resolve) -> int:
-    """A block of a tower told from top to bottom: one that is a part of another figure is not meant again."""
+def _storey(scene: Scene, phrase: Phrase, resolve: Resolve, below: list[int]) -> int:
+    """A block of a tower told from top to bottom: one that is a part of another figure, or below, is not meant again."""
     told = isinstance(phrase, Noun) and phrase.color and not phrase.det and phrase.count < 2
     if told and isinstance(phrase, Noun):
         like = [n for n, block in enumerate(scene.blocks) if block.color == phrase.color]
-        if like and all(scene.figure_of(n) for n in like):
+        if like and all(n in below or scene.figure_of(n) for n in like):
             return scene.new_blocks(1, phrase.color)[0]
+    if isinstance(phrase, Noun) and phrase.noun == "one" and phrase.det == "a" and phrase.color:
+        phrase = replace(phrase, noun="block")
     return _one(scene, phrase, resolve)
 
 
@@ -243,7 +247,7 @@ def _check_size(figure: Figure, size: tuple[int, ...], noun: Noun) -> None:
     """What is said of the size has to fit the blocks. A square of four is two by two, one of nine is filled."""
     many, kind = len(figure.blocks), figure.kind
     if kind not in _SOLID:
-        unlike = size and size[0] != many and kind in {"tower", "row", "column", "staircase", "pyramid"}
+        unlike = size and size[0] != many and kind in _COUNTED
         if len(size) > 1 or unlike or (kind == "staircase" and not steps(many)):
             raise Unclear
         return

@@ -100,12 +100,12 @@ def _pronoun(scene: Scene, word: str) -> Ref:
     for spoken in (scene.here, scene.before):
         fits = [ref for ref in spoken if (len(ref.ids) > 1) == many and ref.kind != "table"]
         fits = [ref for ref in fits if not _is_subject(scene, ref)]
-        if many and not fits and spoken is scene.before and len(scene.figures) > 1:
-            if any(figure.implied for figure in scene.figures):
-                raise Unclear
-            fits = [Ref("figure", list(range(len(scene.figures))))]
         if word == "both":
             fits = [ref for ref in fits if len(ref.ids) == 2]
+        if many and not fits and spoken is scene.before and len(scene.figures) > 1:
+            if any(figure.implied for figure in scene.figures) or (word == "both" and len(scene.figures) > 2):
+                raise Unclear
+            fits = [Ref("figure", list(range(len(scene.figures))))]
         if not fits:
             continue
         first = fits[0] if len({(ref.kind, tuple(ref.ids)) for ref in fits}) == 1 else None

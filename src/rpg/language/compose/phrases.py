@@ -266,23 +266,7 @@ class Phrases(Contents):
         if noun.noun in FIGURES or (noun.noun == "one" and noun.det in {"a", "another"}):
             figures: Ways[Noun] = []
             for measured, end in [(noun, at), *self.measured(noun, at)]:
-                figures.append((measured, end))
-                made = "of" if self.text(end) in {"of", ",", ":"} else "from"
-                for of, stop in self._content(end):
-                    listed = isinstance(of, Listing)
-                    if isinstance(of, Chain | Listing) and not (measured.det or measured.count or measured.many):
-                        continue  # "stack red on blue" is no stack that is spoken of
-                    each = stop + 1 if self.text(stop) == "each" else stop
-                    told = "each" if each > stop or self.text(end) == "each" else "of" if listed else made
-                    full = replace(measured, content=of, made=told)
-                    figures += [(full, each), *self.measured(full, each)]
-                    figures += [(full, each + 1)] if listed and self.text(each) == "," else []
-                    if isinstance(of, Noun) and of == Noun(count=of.count, noun="block", many=True):
-                        lots = self._listing(each + 1) if made == "of" and self.text(each) in {",", ":"} else []
-                        sized = replace(measured, size=(of.count,), made="of")
-                        figures += [
-                            (replace(sized, content=lot), last + (self.text(last) == ",")) for lot, last in lots
-                        ]
+                figures += [(measured, end), *self._filled(measured, end)]
             found += [*figures[1:], *(way for figure, end in figures for way in self.ordered(figure, end))]
             found += self._one_by_one(noun, at)
         elif noun.noun != "table":
@@ -292,6 +276,26 @@ class Phrases(Contents):
             if noun.noun in {"block", "one", *SYMBOL_KINDS} and noun.det == "the" and not noun.ranks:
                 found += self._at_a_part(noun, at)
         return found
+
+    def _filled(self, noun: Noun, at: int) -> Iterator[tuple[Noun, int]]:
+        """What figures are made of; what "four" blocks are may be told behind: "of four, out of two red and two blue"."""
+        apart = at + (self.text(at) == ",")
+        of_each = self.text(apart) in {"each", "both"} or self.text(apart + 2) == "both"
+        made = "of" if self.text(at) in {"of", ",", ":"} else "from"
+        for of, stop in self._content(at):
+            if isinstance(of, Chain | Listing) and not (noun.det or noun.count or noun.many):
+                continue  # "stack red on blue" is no stack that is spoken of
+            each = stop + 1 if self.text(stop) == "each" else stop
+            alike = noun.count > 1 and self.text(at) == "of" and isinstance(of, Chain)
+            listed = isinstance(of, Listing)
+            full = replace(noun, content=of, made="each" if each > stop or of_each or alike else "of" if listed else made)
+            yield full, each
+            yield from self.measured(full, each)
+            if listed and self.text(each) == ",":
+                yield full, each + 1
+            if isinstance(of, Noun) and of == Noun(count=of.count, noun="block", many=True) and not noun.size:
+                more = self.text(each) if self.text(each) not in {"of", "in"} else ""
+                yield from self._filled(replace(noun, size=(of.count,)), each) if more else ()
 
     def _one_by_one(self, noun: Noun, at: int) -> Ways[Phrase]:
         """ "two rows: a back row of three and a front row of two"."""

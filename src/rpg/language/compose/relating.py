@@ -37,7 +37,7 @@ def tops_of(scene: Scene, ref: Ref) -> list[int]:
 def bare(scene: Scene, ref: Ref, said: Place) -> None:
     """A place that is told without what it is a place of."""
     name = said.relation
-    if name == "free" and ref.kind == "patch" and not said.no:
+    if name in {"free", "empty"} and ref.kind == "patch" and not said.no:
         scene.facts += [Fact(Ref("patch", [n]), "empty") for n in ref.ids]
     elif name in {"free", "table", "flat"} and ref.kind == "block" and not ref.bound:
         word = {"free": "clear", "table": "table", "flat": "table"}[name]
@@ -102,7 +102,8 @@ def at_part(scene: Scene, ref: Ref, part: Noun, *, no: bool) -> None:
     if ref.kind != "block" or len(owners) != 1 or [owners[0]] != [scene.figures[n] for n in own]:
         raise Unclear
     figure = owners[0]
-    at = places(figure, (*part.ranks, part.noun), part.nth, len(ref.ids))
+    noun = () if part.noun in {"one", "block"} else (part.noun,)
+    at = places(figure, (*part.ranks, *noun), part.nth, len(ref.ids))
     if no:
         _bar(scene, figure, ref.ids, at)
     elif len(ref.ids) == len(at) > 1 and scene.alike(ref.ids):
@@ -111,6 +112,7 @@ def at_part(scene: Scene, ref: Ref, part: Noun, *, no: bool) -> None:
     elif len(ref.ids) == 1 and (len(at) == 1 or part.det in {"a", "any"}):
         _put_there(scene, figure, ref.ids[0], at[scene.choose(len(at))])
         figure.sided |= bool({"left", "right"} & set(part.ranks)) or len(at) > 1
+        figure.free |= not scene.alike([n for n in figure.blocks if n not in figure.placed.values()] or figure.blocks)
     else:
         raise Unclear
 

@@ -39,6 +39,8 @@ from rpg.language.compose.syntax import (
     on_an_end,
 )
 
+_THE_BLOCK, _THE_ONE = Noun(det="the", noun="block"), Noun(det="the", noun="one")
+
 
 def say(scene: Scene, clause: Clause) -> None:
     """Puts what a clause says into the scene. Raises Unclear where it does not say it clearly."""
@@ -140,6 +142,8 @@ def _say(scene: Scene, clause: Clause) -> None:
     if _each_of_a_new_one(subject, clause.predicates):
         _one_for_each(scene, subject, clause.predicates[0])
         return
+    if clause.mood != "may" and _is_at(scene, subject, clause.predicates):
+        return
     ref = resolve(scene, subject)
     check_subject(scene, clause, ref)
     check_said(clause, ref)
@@ -164,6 +168,18 @@ def _say(scene: Scene, clause: Clause) -> None:
     scene.place_barred()
     if clause.predicates and ref.kind == "block":
         scene.used.update(ref.ids)
+
+
+def _is_at(scene: Scene, subject: Phrase, said: Sequence[Predicate]) -> bool:
+    """ "The middle one is the white block", "B is the last one": tells which block of a figure is at a place of it."""
+    like = said[0].like if len(said) == 1 and isinstance(said[0], Looks) else None
+    for block, there in ((like, subject), (subject, like)):
+        known = isinstance(block, Noun) and replace(block, color="") in (_THE_BLOCK, _THE_ONE) and block.color
+        ranked = isinstance(there, Noun) and (there.ranks or there.nth) and not (there.color or there.many)
+        if block and isinstance(there, Noun) and ranked and (isinstance(block, Label) or known):
+            at_part(scene, resolve(scene, block), there, no=False)
+            return True
+    return False
 
 
 def _aside(scene: Scene, ref: Ref, clause: Clause) -> None:

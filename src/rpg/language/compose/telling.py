@@ -17,13 +17,13 @@ _MANY = 7
 """Of so many blocks that look alike not each one can be told apart."""
 
 
-def tell_all(scenes: Sequence[Scene]) -> str:
-    """What scenes have in common, and what is so in one or another of them."""
+def tell_all(scenes: Sequence[Scene]) -> tuple[str, list[str]]:
+    """What scenes have in common, and what is so in one or another of them; and each of them by itself."""
     if not any(scene.facts or scene.figures for scene in scenes):
         raise Unclear
     _check_told_of(scenes)
     if len(scenes) == 1:
-        return " ".join(tell(scenes[0]))
+        return (text := " ".join(tell(scenes[0]))), [text]
     ways = list({tuple(tell(scene)): None for scene in scenes})
     if len({way[0] for way in ways}) > 1 or any(scene.stage for scene in scenes):
         raise Unclear
@@ -31,7 +31,8 @@ def tell_all(scenes: Sequence[Scene]) -> str:
     rest = [[_small(said).rstrip(".") for said in way if said not in common] for way in ways]
     if not all(rest):
         raise Unclear
-    return " ".join([*common, _sentence(f"either {', or '.join(map(' and '.join, rest))}")])
+    either = _sentence(f"either {', or '.join(map(' and '.join, rest))}")
+    return " ".join([*common, either]), [" ".join(way) for way in ways]
 
 
 def tell(scene: Scene) -> list[str]:

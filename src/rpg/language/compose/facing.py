@@ -37,9 +37,9 @@ def face(scene: Scene, side: str, figure: int) -> None:
     for sides in _ACROSS:
         for other, n in scene.facing.items() if side in sides else ():
             if other in sides:
-                ahead = sides.index(side) < sides.index(other)
+                ahead = sides.index(other) < sides.index(side)
                 said = TOWARD[sides[0] if ahead else sides[2]]
-                scene.facts.append(Fact(Ref("figure", [figure]), said, Ref("figure", [n])))
+                scene.facts.append(Fact(Ref("figure", [n]), said, Ref("figure", [figure])))
     scene.facing[side] = figure
 
 

@@ -345,7 +345,7 @@ def whole_figures(scene: Scene, noun: Noun, resolve: Resolve) -> list[Figure]:
             return [line_of(held, noun.of.noun, ref.ids)]
         raise Unclear
     for spoken in (scene.here, scene.before):
-        found = {n for ref in spoken if ref.kind == "figure" for n in ref.ids}
+        found = {n for ref in spoken if ref.kind == "figure" for n in ref.ids} - {*scene.placed}
         if len(found) == 1:
             scene.mention(Ref("figure", list(found)))
             return [scene.figures[found.pop()]]

@@ -39,6 +39,8 @@ _BARE: dict[str, tuple[str, ...]] = {
     "alone": ("alone", "by themselves", "on their own", "on its own"),
 }
 BARE = sorted(((words.split(), place) for place, ways in _BARE.items() for words in ways), key=lambda way: -len(way[0]))
+_IN_LINE = frozenset({"top", "bottom", "middle", "left", "right"})
+"""Where something is a part of what it is told of, if it is said to be "at" it."""
 _HOW = {
     "directly": "directly", "right": "immediately", "immediately": "immediately", "straight": "directly",
     "flat": "flat", "somewhere": "somewhere", "anywhere": "somewhere",
@@ -62,7 +64,7 @@ class Places(Phrases):
         found: Ways[Place] = []
         for words, name in BARE:
             if end := self.past(at, words):
-                found.append((Place(name), end))
+                found.append((Place(name, how="at" if words[0] in {"at", "in"} and name in _IN_LINE else ""), end))
         if side := self.past_any(at, "to its", "on its", "at its", "in its"):
             name = {"left": "left", "right": "right", "front": "front"}.get(self.text(side), "")
             found += [(Place(name, Pronoun("it")), side + 1 + (self.text(side + 1) == "side"))] if name else []

@@ -14,7 +14,7 @@ from rpg.language.compose.lined import line_up
 from rpg.language.compose.nouns import resolve
 from rpg.language.compose.relating import at_part, bare, between, in_region, on, place, tops_of
 from rpg.language.compose.scene import SIDES, Fact, Ref, Scene, Unclear
-from rpg.language.compose.subjects import check_said, check_subject, there_is, told_of_figures
+from rpg.language.compose.subjects import check_said, check_subject, one_of_it, there_is, told_of_figures
 from rpg.language.compose.syntax import (
     STAY,
     TOWER,
@@ -139,12 +139,13 @@ def _say(scene: Scene, clause: Clause) -> None:
     ):
         _one_by_one(scene, subject, clause.predicates)
         return
-    if _each_of_a_new_one(subject, clause.predicates):
+    own = one_of_it(scene, clause)
+    if own is None and _each_of_a_new_one(subject, clause.predicates):
         _one_for_each(scene, subject, clause.predicates[0])
         return
     if clause.mood != "may" and _is_at(scene, subject, clause.predicates):
         return
-    ref = resolve(scene, subject)
+    ref = own or resolve(scene, subject)
     check_subject(scene, clause, ref)
     check_said(clause, ref)
     if clause.aside is not None:
@@ -306,7 +307,9 @@ def _said(scene: Scene, ref: Ref, said: Predicate) -> None:
             return
         if isinstance(of, Noun) and of.det == "another":
             raise Unclear
+        scene.placed = ref.ids if ref.kind == "figure" else []
         target = resolve(scene, of)
+        scene.placed = []
         if target.either and (said.no or len(ref.ids) > 1 or ref.each):
             raise Unclear  # on none of them, or not on one; all on one, or some on each
         named = isinstance(of, Noun) and of.det == "the" and not of.many

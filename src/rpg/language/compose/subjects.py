@@ -4,11 +4,15 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from rpg.language.compose.figures import ALL
 from rpg.language.compose.items import FIGURES
 from rpg.language.compose.scene import SIDES, Ref, Scene, Unclear
-from rpg.language.compose.syntax import Both, Chain, Clause, Either, Listing, Looks, Noun, Place, Shares, is_figure
+from rpg.language.compose.syntax import Both, Chain, Clause, Either, Listing, Looks, Noun, Place, Pronoun, Shares, is_figure
 
 _BESIDE = frozenset({*SIDES, "next", "near", "far"})
+_LINED = frozenset({"tower", "row", "line", "column"})
+_UPON = frozenset({"top", "left", "right"})
+_ITS = (None, Pronoun("it"))
 _MUTUAL = frozenset({"touching", "side by side", "apart"})
 
 
@@ -28,6 +32,30 @@ def told_of_figures(scene: Scene, clause: Clause) -> Clause:
     ):
         raise Unclear
     return replace(clause, subject=replace(subject, content=said[0].like, made="of"), predicates=clause.predicates[1:])
+
+
+def one_of_it(scene: Scene, clause: Clause) -> Ref | None:
+    """ "(A row of two reds and three blues,) with a blue one in the middle", "with a red one at each end": blocks of the
+    figure that was told last, which are at these places of it. None where they may be further ones."""
+    subject, said = clause.subject, clause.predicates[0] if len(clause.predicates) == 1 else None
+    if not isinstance(said, Place) or said.no or not isinstance(subject, Noun):
+        return None
+    new = replace(subject, color="", noun="", det="") == Noun() and subject.color and subject.det == "a"
+    ends = isinstance(said.of, Noun) and said.of.noun == "end" and said.of.det in ALL and said.of.of in _ITS
+    inside = said.how == "at" or (ends and said.relation == "in")
+    last = next((ref for ref in scene.before if ref.kind == "figure" and len(ref.ids) == 1), None)
+    figure = scene.figures[last.ids[0]] if last is not None else None
+    if not new or not (inside or said.relation in _UPON) or figure is None or figure.kind not in _LINED or figure.told:
+        return None
+    like = [n for n in figure.blocks if scene.blocks[n].color == subject.color and n not in figure.placed.values()]
+    count = 2 if ends else 1
+    if len(like) < count:
+        return None
+    if not inside and scene.alike(figure.blocks):
+        return None
+    if not inside or not scene.alike(like):
+        raise Unclear  # one of them, or a further one
+    return scene.mention(Ref("block", like[:count]))
 
 
 def check_subject(scene: Scene, clause: Clause, ref: Ref) -> None:

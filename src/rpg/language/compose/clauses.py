@@ -53,6 +53,7 @@ _LINED = (
 _STACK = frozenset({"stack", "pile"})
 _PILED_AT = frozenset({"on", "in", "off", "under", "region", "top", "table"})
 """Where one may stack things; what is stacked beside something, or between, need not stand on the table."""
+_BEHIND_COMMA = frozenset({"in turn", "side by side", "rising", "any order"})
 _LINE = Noun(det="a", noun="line")
 _THERE = ("there is", "there are", "you have", "we have", "i have", "here is", "here are")
 _THEN = (
@@ -78,7 +79,7 @@ _WITH = frozenset({
 """Behind these stands what is so of a thing that is told of, not a further thing."""
 
 
-_STOPS = frozenset({".", "!", "?", ",", ";"})
+_STOPS = frozenset({".", "!", "?", ",", ";", ":"})
 
 
 class Step(NamedTuple):
@@ -187,6 +188,10 @@ class Reader(Verbs):
         if verb in _BUILD and not no:
             built = self._built(start, laid=verb in _PUT)
             found += [way for way in built if verb not in _STACK or not is_figure(way[0].subject)]
+        if (verb in _PUT or verb in _BUILD) and not no:
+            ahead = [way for way in self._rest(start) if isinstance(way[0][0], Made)]
+            listed = [(what, said, end) for said, at in ahead for what, end in self.phrase(self._begin(at))]
+            found += [(Clause(what, said, "build"), end) for what, said, end in listed]
         if verb in _PUT or verb in _BUILD:
             for what, end in self.phrase(start):
                 for said, stop in self.predicates(end):
@@ -194,14 +199,7 @@ class Reader(Verbs):
                         if verb in _STACK and several(what):
                             said = (Made(TOWER), *said)
                         found.append((Clause(what, said, "put"), stop))
-        if self.text(at) == "line" and not no:
-            apart = [(what, end + 1) for what, end in self.single(at + 1) if self.text(end) == "up"]
-            found += [(Clause(what, (Made(_LINE),), "build"), end) for what, end in apart]
-        if (lined := self.past_any(at, "line up")) and not no:
-            existing = [way for way in self._existing(lined) if not is_figure(way[0])]  # which way they face is open
-            found += [(Clause(what, (Made(_LINE), *said), "build"), end) for what, said, end in existing]
-            rows = [(what, way) for what, end in self.phrase(lined) for way in self.ordered(_LINE, end)]
-            found += [(Clause(what, (Made(row),), "build"), end) for what, (row, end) in rows]
+        found += self._line_up(at) if not no else []
         if verb in _STACK and not no:
             for what, end in self.phrase(start):
                 for tower, stop in ((TOWER, end), *self.ordered(TOWER, end)):
@@ -209,6 +207,19 @@ class Reader(Verbs):
         if no:
             denied = [(replace(clause, predicates=opposite_of(clause.predicates)), end) for clause, end in found]
             found = [(clause, end) for clause, end in denied if clause.predicates]
+        return found
+
+    def _line_up(self, at: int) -> Ways[Clause]:
+        """ "line up A, B and C", "line them up"."""
+        found: Ways[Clause] = []
+        if self.text(at) == "line":
+            apart = [(what, end + 1) for what, end in self.single(at + 1) if self.text(end) == "up"]
+            found += [(Clause(what, (Made(_LINE),), "build"), end) for what, end in apart]
+        if lined := self.past_any(at, "line up"):
+            lined_up = [way for way in self._existing(lined) if not is_figure(way[0], but="tower")]
+            found += [(Clause(what, (Made(_LINE), *said), "build"), end) for what, said, end in lined_up]
+            rows = [(what, way) for what, end in self.phrase(lined) for way in self.ordered(_LINE, end)]
+            found += [(Clause(what, (Made(row),), "build"), end) for what, (row, end) in rows]
         return found
 
     def _built(self, start: int, *, laid: bool) -> Ways[Clause]:
@@ -220,7 +231,8 @@ class Reader(Verbs):
                 found += [(Clause(what, (), "build", said), stop) for said, stop in self.last_at(what, end)]
                 found += [(Clause(what, said, "build"), stop) for said, stop in self._rest(end)]
             sorted_so = [(row.order, at) for row, at in self.ordered(Noun(noun="row"), end)]
-            for order, figure, stop in ((order, *way) for order, at in [("", end), *sorted_so] for way in self.into(at)):
+            intos = [(order, at + (self.text(at) == ",")) for order, at in [("", end), *sorted_so]]
+            for order, figure, stop in ((order, *way) for order, at in intos for way in self.into(at)):
                 figure = replace(figure, order=order) if order else figure
                 found.append((Clause(what, (Made(figure),), "build"), stop))
                 found += [(Clause(what, (Made(figure), *said), "build"), last) for said, last in self._rest(stop)]
@@ -294,9 +306,7 @@ class Reader(Verbs):
         )
         looks: Ways[tuple[Predicate, ...]] = [((Looks(how),), end) for how, end in self._ordered(start)]
         if self.text(at) == ",":
-            looks += [
-                ((place,), end) for place, end in self.place(at + 1) if place.relation in {"in turn", "side by side"}
-            ]
+            looks += [((place,), end) for place, end in self.place(at + 1) if place.relation in _BEHIND_COMMA]
         if color := lexicon.COLOR.get(self.text(start)):
             looks.append(((Looks(Noun(color=color)),), start + 1))
         if end := self.past_any(start, *_LINED):

@@ -20,6 +20,12 @@ _OF_EACH = tuple(
     for of in ("", " with", " of", " made of", " consisting of", " being", " is")
 )
 """Behind these stands what each of several figures is made of."""
+_ONE_OF_EACH = tuple(
+    f"one {of} {color}{are}"
+    for of, color in (("for each of the", "colors"), ("in each of the", "colors"), ("of each of the", "colors"),
+                      ("for each", "color"), ("in each", "color"), ("per", "color"), ("of each", "color"))
+    for are in ("", " :", " ,")
+)  # fmt: skip
 
 
 class Contents(Series, ABC):
@@ -64,7 +70,23 @@ class Contents(Series, ABC):
         found += self._listing(start)
         if start > at:
             found += self._heights(start)
+        if one := self.past_any(start, *_ONE_OF_EACH):
+            colors, end = self.color_list(one + (self.text(one) in {",", ":"}))
+            found += [(Listing(tuple(Noun(color=c, noun="block", many=True) for c in colors)), end)] if colors else []
+        if self.text(at) == "of" and (numbers := self._numbers(at + 1))[0]:
+            found.append((Listing(numbers[0]), numbers[1]))
         return found
+
+    def _numbers(self, at: int) -> tuple[tuple[Noun, ...], int]:
+        """ "two, three and four red blocks": of how many blocks each of several towers is."""
+        counts: list[int] = []
+        while self.number(at):
+            counts.append(self.number(at))
+            at = self.past_any(at + 1, "and", ", and", ",") or at + 1
+        color = lexicon.COLOR.get(self.text(at), "")
+        if len(counts) < 2 or self.text(at + bool(color)) != "block":
+            return (), at
+        return tuple(Noun(count=n, color=color, noun="block", many=True) for n in counts), at + bool(color) + 1
 
     def _heights(self, at: int) -> Ways[Phrase]:
         """ "two, three and four blocks high"."""

@@ -8,7 +8,7 @@ from math import isqrt, prod
 
 from rpg.blocks.figures import FEWEST
 from rpg.language.compose.items import FIGURES, PARTS, SYMBOL_KINDS, shows
-from rpg.language.compose.lined import line_up, of_line
+from rpg.language.compose.lined import of_line, stand_in
 from rpg.language.compose.places_of import DRAWN, line_of, places, steps
 from rpg.language.compose.scene import SIDES, Figure, Ref, Scene, Unclear
 from rpg.language.compose.syntax import Both, Chain, Label, Listing, Noun, Phrase, Pronoun
@@ -58,7 +58,7 @@ def figures_of(scene: Scene, noun: Noun, resolve: Resolve) -> Ref:
         towers = resolve(scene, noun.content)
         if not towers.fresh or noun.count > 1 or noun.color or noun.size:
             raise Unclear
-        line_up(scene, towers.ids, from_left=False)
+        stand_in(scene, towers, Noun(noun=kind))
         return towers
     if isinstance(noun.content, Listing):
         if noun.count not in {0, len(noun.content.parts)}:
@@ -164,6 +164,8 @@ def _made(scene: Scene, noun: Noun, kind: str, resolve: Resolve) -> int:
             raise Unclear
         size, content = size or (content.count,), None
     figure = Figure(kind, [], size if len(size) > 1 else (), noun.word, way=noun.way)
+    if noun.word == "pair" and (not isinstance(content, Chain) or len(content.parts) != 2):
+        raise Unclear  # of what stands side by side, or of what lies on what
     figure.counted = isinstance(content, Noun) and content.count > 0
     if isinstance(content, Chain):
         for of in reversed(content.parts):
@@ -216,7 +218,7 @@ def _made(scene: Scene, noun: Noun, kind: str, resolve: Resolve) -> int:
 
 
 def _storey(scene: Scene, phrase: Phrase, resolve: Resolve, below: list[int]) -> int:
-    """A block of a tower told from top to bottom: one that is a part of another figure, or below, is not meant again."""
+    """A block of a tower told from top to bottom: one that lies below, or elsewhere, is not meant again."""
     told = isinstance(phrase, Noun) and phrase.color and not phrase.det and phrase.count < 2
     if told and isinstance(phrase, Noun):
         like = [n for n, block in enumerate(scene.blocks) if block.color == phrase.color]

@@ -25,6 +25,8 @@ _ALTERNATING = (
     "that alternate", "which alternate between", "of alternating",
 )  # fmt: skip
 _UPWARD = frozenset({"from the bottom up", "from bottom to top", "from bottom up", "bottom to top"})
+_RUNNING = tuple(f"{run} {way}" for run in ("running", "going", "that runs", "which runs", "extending")
+                 for way in ("from front to back", "front to back", "from back to front"))  # fmt: skip
 _WAYS: dict[str, tuple[str, ...]] = {
     "staircase": ("rising to", "going up to", "ascending to", "climbing to", "that rises to", "rising towards",
                   "going up towards", "which rises to", "leading up to"),
@@ -145,6 +147,8 @@ class Measures(Text):
         start = at + (self.text(at) == ",")
         if noun.noun == "column" and (end := self.past_any(start, "going away from me", "away from me")):
             yield noun, end
+        if noun.noun == "column" and (end := self.past_any(start, *_RUNNING)):
+            yield replace(noun, way="far"), end
         for order, way, end in self.sorted_so(start):
             if (way == "top") if noun.noun == "tower" else (way != "top"):
                 yield replace(noun, order=order), end

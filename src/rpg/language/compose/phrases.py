@@ -278,7 +278,7 @@ class Phrases(Contents):
         return found
 
     def _filled(self, noun: Noun, at: int) -> Iterator[tuple[Noun, int]]:
-        """What figures are made of; what "four" blocks are may be told behind: "of four, out of two red and two blue"."""
+        """What figures are made of; what "four" are may be told behind it: "of four, out of two red and two blue"."""
         apart = at + (self.text(at) == ",")
         of_each = self.text(apart) in {"each", "both"} or self.text(apart + 2) == "both"
         made = "of" if self.text(at) in {"of", ",", ":"} else "from"
@@ -288,7 +288,8 @@ class Phrases(Contents):
             each = stop + 1 if self.text(stop) == "each" else stop
             alike = noun.count > 1 and self.text(at) == "of" and isinstance(of, Chain)
             listed = isinstance(of, Listing)
-            full = replace(noun, content=of, made="each" if each > stop or of_each or alike else "of" if listed else made)
+            told = "each" if each > stop or of_each or alike else "of" if listed else made
+            full = replace(noun, content=of, made=told)
             yield full, each
             yield from self.measured(full, each)
             if listed and self.text(each) == ",":

@@ -6,12 +6,14 @@ from dataclasses import replace
 from itertools import combinations
 
 from rpg.language.compose.figures import put_in_order, whole_figures
+from rpg.language.compose.lined import rise
 from rpg.language.compose.nouns import resolve
 from rpg.language.compose.places_of import places, steps
 from rpg.language.compose.scene import SIDES, Fact, Figure, Ref, Scene, Unclear
 from rpg.language.compose.syntax import Both, Noun, Phrase, Place
 
 _RELATIONS = {"next": "next to", "near": "near", "far": "far from", "touch": "touch"}
+_HOW = {"top": "", "directly": "directly ", "immediately": "immediately ", "somewhere": "somewhere ", "": ""}
 _BARE_PLACES = frozenset({"top", "bottom", "middle", "left", "right", "front", "behind"})
 
 
@@ -69,6 +71,8 @@ def bare(scene: Scene, ref: Ref, said: Place) -> None:
             if (figure.kind == "tower") != (said.side == "top"):
                 raise Unclear  # which end is the first one
             put_in_order(scene, figure, said.how)
+    elif name == "rising" and not said.no:
+        rise(scene, ref, said.side)
     elif name == "in turn" and ref.kind == "figure" and len(ref.ids) == 2 and not said.no:
         scene.facts.append(Fact(Ref("figure", ref.ids[1:]), "behind", Ref("figure", ref.ids[:1])))
     elif name in _BARE_PLACES:
@@ -306,9 +310,9 @@ def _beside(scene: Scene, ref: Ref, target: Ref, said: Place) -> None:
 
 
 def _facts_beside(a: Ref, b: Ref, said: Place) -> list[Fact]:
-    how = {"top": "", "directly": "directly ", "immediately": "immediately ", "somewhere": "somewhere ", "": ""}[
-        said.how
-    ]
+    if said.how not in _HOW:
+        raise Unclear
+    how = _HOW[said.how]
     bound = {"": "", "least": "at least ", "most": "at most ", "exactly": ""}[said.bound]
     far = [Fact(a, f"{bound}{said.cm:g} cm from", b, no=said.no)] if said.cm else []
     if said.relation in SIDES:

@@ -69,7 +69,8 @@ class Figure:
 
 @dataclass(slots=True)
 class Ref:
-    """What a phrase stands for: `kind` "block", "figure", "patch" or "table", with the numbers of those in the scene.
+    """What a phrase stands for: `kind` "block", "figure", "patch" or "table", with the numbers of those in the scene;
+    "mixed" are single blocks and the lowest ones of towers.
 
     `each`: what is said is said of each by itself. `bound`: "exactly" or "most" of `ids` and `rest`. `fresh`: they are
     told of for the first time, as some or other ones. `no`: it is said of none of them. `every`: it is said of
@@ -107,11 +108,12 @@ class Scene:
     """All that is told of, and what was spoken of last.
 
     `stock`: lots that the text says there are; `whole` is the lot of which some were told apart last, `taken` those.
-    `subject` is what something is being said of, `place` the one of a figure that was told last;
-    `placed` are the figures that are put somewhere, so that it is no part of them that they are put at.
+    `subject` is what something is being said of, `place` the one of a figure that was told last; `placed` are figures
+    that are put somewhere, so that it is no part of them that they are put at.
     `pending`: blocks that lie somewhere on others, and it has still to be said on which of them. `lines`: towers that
-    stand in a row; `facing`: figures told by their sides, as "the left tower" and "the right one". `instead`: what "or" tells besides what was taken. `script`: which of several ways to have it are
-    taken, one after the other; `choices`: of how many each was one.
+    stand in a row; `facing`: figures told by their sides, as "the left tower" and "the right one". `instead`: what
+    "or" tells besides what was taken. `script`: which of several ways to have it are taken, one after the other;
+    `choices`: of how many each was one.
     """
 
     blocks: list[Block] = field(default_factory=list)

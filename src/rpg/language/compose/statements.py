@@ -8,9 +8,8 @@ from dataclasses import replace
 from functools import partial
 from itertools import pairwise, permutations
 
-from rpg.language.compose.facing import face, one_more
+from rpg.language.compose.forming import forms
 from rpg.language.compose.items import PARTS
-from rpg.language.compose.lined import line_up
 from rpg.language.compose.nouns import resolve
 from rpg.language.compose.relating import at_part, bare, between, in_region, on, place, tops_of
 from rpg.language.compose.scene import SIDES, Fact, Ref, Scene, Unclear
@@ -281,12 +280,17 @@ def _said(scene: Scene, ref: Ref, said: Predicate) -> None:
             raise Unclear  # a block or a patch of that colour
         if said.relation == "on" and only_color and any(scene.blocks[n].label for n in ref.ids if ref.kind == "block"):
             raise Unclear  # a block, or the colour of the block with the symbol
+    if ref.kind == "mixed" and isinstance(said, Place) and said == Place("side by side"):
+        ref = replace(ref, kind="block")
+    rising = isinstance(said, Place) and said.relation == "rising"
+    if ref.kind == "mixed" and not isinstance(said, Made) and not rising:
+        raise Unclear
     if ref.no:
         if not isinstance(said, Place) or said.of is None:
             raise Unclear
         said, ref = replace(said, no=not said.no), replace(ref, no=False)
     if isinstance(said, Made):
-        _forms(scene, ref, said.figure)
+        forms(scene, ref, said.figure)
     elif isinstance(said, Looks):
         _looks(scene, ref, said.like)
     elif isinstance(said, Bears):
@@ -316,34 +320,6 @@ def _said(scene: Scene, ref: Ref, said: Predicate) -> None:
         if target.fresh and not named and target.kind == "block" and (ref.each or len(ref.ids) > len(target.ids)):
             raise Unclear  # one for each, or one for all
         place(scene, ref, target, said)
-
-
-def _forms(scene: Scene, ref: Ref, phrase: Phrase) -> None:
-    """These blocks form a figure."""
-    side = phrase.ranks[0] if isinstance(phrase, Noun) and phrase.det == "the" and len(phrase.ranks) == 1 else ""
-    if isinstance(phrase, Noun):
-        phrase = one_more(scene, phrase)
-    if ref.kind == "figure" and isinstance(phrase, Noun) and phrase.noun in {"row", "line"} and len(ref.ids) > 1:
-        if phrase.content is not None or phrase.det not in {"a", ""} or phrase.color:
-            raise Unclear
-        line_up(scene, ref.ids, from_left=phrase.ranks == ("left",))
-        return
-    if ref.kind != "block" or not isinstance(phrase, Noun) or phrase.content is not None or ref.each or ref.bound:
-        raise Unclear
-    if phrase.count > 1 or phrase.det not in {"a", ""} or phrase.color:
-        raise Unclear
-    in_order = phrase.ranks == ("left",)
-    if in_order and len({scene.blocks[n].look for n in ref.ids}) < len(ref.ids):
-        raise Unclear
-    made = replace(phrase, det="a", ranks=(), content=Pronoun("them"))
-    here, scene.here = scene.here, [Ref("block", ref.ids)]
-    subject, scene.subject = scene.subject, None
-    figure = scene.figures[resolve(scene, made).ids[0]]
-    scene.here, scene.subject = [*here, *scene.here[1:]], subject
-    if in_order:
-        figure.told = figure.sided = True
-    if side:
-        face(scene, side, scene.figures.index(figure))
 
 
 def _looks(scene: Scene, ref: Ref, like: Phrase) -> None:

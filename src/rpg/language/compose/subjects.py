@@ -7,7 +7,19 @@ from dataclasses import replace
 from rpg.language.compose.figures import ALL
 from rpg.language.compose.items import FIGURES
 from rpg.language.compose.scene import SIDES, Ref, Scene, Unclear
-from rpg.language.compose.syntax import Both, Chain, Clause, Either, Listing, Looks, Noun, Place, Pronoun, Shares, is_figure
+from rpg.language.compose.syntax import (
+    Both,
+    Chain,
+    Clause,
+    Either,
+    Listing,
+    Looks,
+    Noun,
+    Place,
+    Pronoun,
+    Shares,
+    is_figure,
+)
 
 _BESIDE = frozenset({*SIDES, "next", "near", "far"})
 _LINED = frozenset({"tower", "row", "line", "column"})
@@ -35,8 +47,8 @@ def told_of_figures(scene: Scene, clause: Clause) -> Clause:
 
 
 def one_of_it(scene: Scene, clause: Clause) -> Ref | None:
-    """ "(A row of two reds and three blues,) with a blue one in the middle", "with a red one at each end": blocks of the
-    figure that was told last, which are at these places of it. None where they may be further ones."""
+    """ "(A row of two reds and three blues,) with a blue one in the middle", "with a red one at each end": blocks of
+    the figure that was told last, which are at these places of it. None where they may be further ones."""
     subject, said = clause.subject, clause.predicates[0] if len(clause.predicates) == 1 else None
     if not isinstance(said, Place) or said.no or not isinstance(subject, Noun):
         return None
@@ -78,7 +90,7 @@ def check_subject(scene: Scene, clause: Clause, ref: Ref) -> None:
 
 def there_is(scene: Scene, ref: Ref, mood: str) -> None:
     """Blocks that are told of by themselves are those that the rest of the text is about."""
-    if ref.kind == "patch" and mood == "there":
+    if (ref.kind == "patch" and mood == "there") or ref.kind == "mixed":
         return
     if not ref.fresh or ref.kind not in {"block", "figure"}:
         raise Unclear

@@ -179,11 +179,11 @@ class Clause:
     other: Clause | None = None
 
 
-def is_figure(phrase: Phrase) -> bool:
-    """Whether a phrase tells a figure, alone or among others."""
+def is_figure(phrase: Phrase, but: str = "") -> bool:
+    """Whether a phrase tells a figure, alone or among others; one of another kind than `but`."""
     if isinstance(phrase, Both):
-        return any(map(is_figure, phrase.parts))
-    return isinstance(phrase, Noun) and phrase.noun in FIGURES
+        return any(is_figure(part, but) for part in phrase.parts)
+    return isinstance(phrase, Noun) and phrase.noun in FIGURES - {but}
 
 
 def any_number(noun: Noun) -> bool:

@@ -162,7 +162,9 @@ def _fact(scene: Scene, fact: Fact) -> str:
         order = f"in the order {', '.join(_name(scene, n) for n in fact.a.ids)}"
         way = f" from left to right {order}" if fact.said == FROM_LEFT else f" {order} in either direction"
         return _sentence(f"{a} must be {IN_A_ROW}{way}")
-    if fact.said == IN_A_ROW or (fact.b is None and fact.said.endswith("of the table")):
+    if fact.b is None and fact.said.startswith("in a grid"):
+        return _sentence(f"{a} must form {fact.said.removeprefix('in ')}")
+    if fact.b is None and fact.said.endswith((IN_A_ROW, "on the table", "of the table")):
         return _sentence(f"{a} must be {fact.said}")
     if fact.said == "empty":
         return _sentence(f"{a} must be empty")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rpg.language.compose.items import FIGURES, RANK
+from rpg.language.compose.items import FIGURES, PARTS, RANK
 from rpg.language.compose.places import Places
 from rpg.language.compose.syntax import (
     STAY,
@@ -121,7 +121,7 @@ class Verbs(Places):
                 }:
                     found.append(((Either((place, replace(place, relation=side))),), behind + 1))
                 for other, stop in self.place(behind):
-                    one = place if place.of is not None else replace(place, of=other.of)
+                    one = place if place.of is not None else _of_same(place, other)
                     if not one.no and not other.no:
                         found.append(((Either((one, other)),), stop))
         return found
@@ -199,6 +199,16 @@ class Verbs(Places):
                 for more, stop in self.single(start):
                     found += [((Bears(what, place), *rest), last) for rest, last in self._borne(more, stop)]
         return found
+
+
+def _of_same(place: Place, other: Place) -> Place:
+    """ "at the top" of "at the top or at the bottom of the tower", "to the left" of "to the left or right of it"."""
+    part = other.of
+    if other.relation != "in" or not isinstance(part, Noun) or part.noun not in PARTS:
+        return replace(place, of=part)
+    sided = place.relation in {"left", "right"}
+    noun, ranks = ("end", (place.relation,)) if sided else (place.relation, ())
+    return replace(other, of=replace(part, noun=noun, ranks=ranks))
 
 
 def opposite_of(said: tuple[Predicate, ...]) -> tuple[Predicate, ...]:

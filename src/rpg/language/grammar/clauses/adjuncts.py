@@ -153,8 +153,6 @@ def _bare_distractors(p: Parser, i: int, how: Meaning) -> bool:
 def adjuncts(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
     """Any number of adjuncts, the longest run first; commas and "and" may stand between them."""
     for first, j in adjunct(p, i):
-        if isinstance(first, Into) and _of_both(p, first.structure, j):
-            continue
         for rest, k in adjuncts(p, j):
             if _later(first) and any(isinstance(a, Loc | In) for a in rest):
                 continue
@@ -181,12 +179,6 @@ def adjuncts(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
 
 _POSED = frozenset({"standing", "placed", "positioned", "lying", "sitting", "located", "set"})
 """What may stand before how what was formed stands: "as two towers, standing side by side"."""
-
-
-def _of_both(p: Parser, structure: Meaning, j: int) -> bool:
-    """ "(C and D in another), both in ascending order": what follows is said of the one ahead, too; not read here."""
-    again = isinstance(structure, Structure) and structure.kind == "again"
-    return again and p.words[p.opt(j, ",")] in {"both", "each"}
 
 
 def _of_a_time(rest: tuple[Meaning, ...]) -> bool:
@@ -248,7 +240,8 @@ def _into(p: Parser, i: int) -> Results[Meaning]:
     for target, k in simple(p, i + 1) if p.words[i : i + 1] == ["to"] and p.words[i + 1] in _ONE else ():
         if isinstance(target, Structure):
             yield Into(structure=target, span=p.span(i, k)), k
-    if (j := p.any_of(i, _IN_ANOTHER)) and _PARTS_OF_TABLE.isdisjoint(p.words[:i]):
+    j = p.any_of(i, _IN_ANOTHER)  # ", both in alphabetical order" is of the one told ahead, too
+    if j and _PARTS_OF_TABLE.isdisjoint(p.words[:i]) and p.words[p.opt(j, ",")] not in {"both", "each"}:
         yield Into(structure=Structure(kind="again", span=p.span(i, j)), span=p.span(i, j)), j
     if j := p.any_of(i, ("so that the equation is right", "so that the equation is correct",
         "so that the equation is true", "so the equation is correct", "so that the equation holds",

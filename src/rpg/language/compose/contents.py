@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from dataclasses import replace
 
 from rpg.language import lexicon
+from rpg.language.compose.items import RANK
 from rpg.language.compose.series import Series
-from rpg.language.compose.syntax import Both, Chain, Clause, Listing, Noun, Phrase, Place, Predicate
+from rpg.language.compose.syntax import Both, Chain, Clause, Label, Listing, Noun, Phrase, Place, Predicate
 from rpg.language.compose.words import Ways
 
 _MADE_OF = (
@@ -26,6 +28,13 @@ _ONE_OF_EACH = tuple(
                       ("for each", "color"), ("in each", "color"), ("per", "color"), ("of each", "color"))
     for are in ("", " :", " ,")
 )  # fmt: skip
+_AT_SIDE: dict[str, tuple[str, ...]] = {
+    "far": ("at the back", "in the back", "in back", "behind", "at the rear"),
+    "near": ("at the front", "in the front", "in front"),
+    "left": ("on the left", "at the left", "to the left", "left"),
+    "right": ("on the right", "at the right", "to the right", "right"),
+    "middle": ("in the middle", "in between", "in the center"),
+}
 
 
 class Contents(Series, ABC):
@@ -127,6 +136,46 @@ class Contents(Series, ABC):
                 if self.number(of) and self.text(of + 1) != "block":
                     found.append((Noun(count=self.number(of), noun="block", many=True), of + 1))
         return found
+
+    def one_by_one(self, noun: Noun, at: int) -> Ways[Phrase]:
+        """ "two rows: a back row of three and a front row of two", "two rows of three, blue behind and red in front"."""
+        if self.text(at) not in {":", ","} or noun.count < 2:
+            return []
+        told = [(both, end) for both, end in self.phrase(at + 1) if isinstance(both, Both)]
+        named = [
+            (both, end) for both, end in told
+            if len(both.parts) == noun.count
+            and all(isinstance(part, Noun) and part.noun == noun.noun and part.det == "a" for part in both.parts)
+        ]  # fmt: skip
+        size = noun.size or ((noun.content.count,) if isinstance(noun.content, Noun) else ())
+        one = Noun(det="a", noun=noun.noun, size=size)
+        begun: Ways[tuple[Phrase, ...]] = [((), at + 1)]
+        for _ in range(noun.count):
+            begun = [((*parts, part), end) for parts, start in begun for part, end in self._at_a_side(one, start)]
+            last = [(Both(parts), end) for parts, end in begun if len(parts) == noun.count]
+            begun = [(parts, self.past_any(end, "and", ", and", ",", ";")) for parts, end in begun]
+            begun = [(parts, start) for parts, start in begun if start]
+        return [*named, *last]
+
+    def _at_a_side(self, one: Noun, at: int) -> Ways[Noun]:
+        """ "blue at the back", "A, B and C on the left", "the right one red": one of several figures."""
+        found: Ways[Noun] = []
+        start = at + (self.text(at) in {"the", "a", "one"})
+        if color := lexicon.COLOR.get(self.text(start)):
+            end = start + 1 + (self.text(start + 1) == "one")
+            found += [(replace(one, color=color, ranks=(side,)), stop) for side, stop in self._side(end)]
+        for what, end in self.phrase(at):
+            if isinstance(what, Both) and all(isinstance(part, Label) for part in what.parts):
+                found += [(replace(one, content=what, ranks=(side,)), stop) for side, stop in self._side(end)]
+        side = RANK.get(self.text(at + 1), "") if self.text(at) == "the" else ""
+        end = at + 2 + (self.text(at + 2) in {"one", one.noun})
+        end += self.text(end) in {"is", "being", "in"}
+        if side in _AT_SIDE and (color := lexicon.COLOR.get(self.text(end))):
+            found.append((replace(one, color=color, ranks=(side,)), end + 1))
+        return found
+
+    def _side(self, at: int) -> list[tuple[str, int]]:
+        return [(side, end) for side, ways in _AT_SIDE.items() if (end := self.past_any(at, *ways))]
 
     def told_apart(self, noun: Noun, at: int) -> Ways[Phrase]:
         """ "two patches, a yellow and a gray one", "three: black, orange and gray": of each colour one."""

@@ -55,8 +55,10 @@ def face_each_other(scene: Scene, parts: Sequence[Phrase], resolve: Resolve) -> 
     """ "a back row of three red blocks and a front row of two": figures at opposite sides of each other."""
     nouns = [part for part in parts if isinstance(part, Noun) and part.noun in FIGURES and part.det in {"a", ""}]
     ranks = [part.ranks[0] for part in nouns if len(part.ranks) == 1]
-    if len(parts) != 2 or len(ranks) != 2 or OPPOSITE.get(ranks[0]) != ranks[1]:
+    if len(ranks) < len(parts) or not any(set(ranks) in ({*sides}, {sides[0], sides[2]}) for sides in _ACROSS):
         return []
+    if len({*ranks}) < len(ranks):
+        raise Unclear
     refs = [resolve(scene, replace(part, ranks=())) for part in nouns]
     if any(ref.kind != "figure" or len(ref.ids) != 1 or not ref.fresh for ref in refs):
         raise Unclear

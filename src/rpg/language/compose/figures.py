@@ -346,6 +346,8 @@ def whole_figures(scene: Scene, noun: Noun, resolve: Resolve) -> list[Figure]:
         if isinstance(noun.of, Noun) and noun.of.noun in {"row", "column", "layer", "step"}:
             return [line_of(held, noun.of.noun, ref.ids)]
         raise Unclear
+    if noun.color and (own := _of_color(scene, noun.color)) is not None:
+        return [own]
     for spoken in (scene.here, scene.before):
         found = {n for ref in spoken if ref.kind == "figure" for n in ref.ids} - {*scene.placed}
         if len(found) == 1:
@@ -356,6 +358,12 @@ def whole_figures(scene: Scene, noun: Noun, resolve: Resolve) -> list[Figure]:
     if len(scene.figures) == 1:
         return [scene.figures[0]]
     raise Unclear
+
+
+def _of_color(scene: Scene, color: str) -> Figure | None:
+    """ "The middle red block": of several figures, the one that all red blocks are of."""
+    own = {n for n, block in enumerate(scene.blocks) if block.color == color}
+    return next((f for f in scene.figures if set(f.blocks) == own and not f.implied and len(scene.figures) > 1), None)
 
 
 def within(scene: Scene) -> bool:

@@ -175,6 +175,11 @@ def _others(scene: Scene, noun: Noun) -> Ref:
         return Ref("figure", left)
     if noun.noun == "patch":
         raise Unclear
+    one = scene.subject if noun == Noun(det="other", noun=noun.noun) and noun.noun in {"", "one"} else None
+    if one is not None and one[0] == "figure" and len(one[1]) == 1 and len(scene.figures) == 2:
+        if scene.taken or scene.instead:
+            raise Unclear
+        return Ref("figure", [1 - one[1][0]])
     left = [n for n in scene.whole if n not in scene.taken]
     if noun.ranks or noun.nth or noun.content is not None:
         raise Unclear
@@ -212,7 +217,8 @@ def _some_of(scene: Scene, noun: Noun) -> Ref:
         raise Unclear
     if noun.of is None and not scene.whole:
         raise Unclear
-    whole = resolve(scene, noun.of) if noun.of is not None else Ref("block", list(scene.whole))
+    them = Pronoun("both") if noun.det == "both" and noun.of == Pronoun("them") else noun.of
+    whole = resolve(scene, them) if them is not None else Ref("block", list(scene.whole))
     scene.here = here  # those that are meant are spoken of, not those that they are some of
     if whole.kind == "figure" and noun.noun in {"block", "one"}:
         whole = Ref("block", [n for at in whole.ids for n in scene.figures[at].blocks])

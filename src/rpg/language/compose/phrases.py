@@ -21,6 +21,7 @@ from rpg.language.compose.syntax import (
     Phrase,
     Predicate,
     Pronoun,
+    counted,
 )
 from rpg.language.compose.words import Ways, remembered
 
@@ -88,7 +89,7 @@ class Phrases(Contents):
     def _simple(self, at: int) -> Ways[Phrase]:
         found: Ways[Phrase] = list(self._labels(at))
         if one := self.past_any(at, "that one", "this one"):
-            found.append((Pronoun("it"), one))
+            found.append((Pronoun("that one"), one))
         if self.text(at) in _PRONOUNS:
             found.append((Pronoun(self.text(at)), at + 1))
         found += self._sign(at)
@@ -268,7 +269,8 @@ class Phrases(Contents):
             for measured, end in [(noun, at), *self.measured(noun, at)]:
                 figures += [(measured, end), *self._filled(measured, end)]
             found += [*figures[1:], *(way for figure, end in figures for way in self.ordered(figure, end))]
-            found += self._one_by_one(noun, at)
+            plain = [(one, end) for one, end in figures if one.content is None or counted(one.content)]
+            found += [way for figure, end in plain for way in self.one_by_one(figure, end)]
         elif noun.noun != "table":
             found += self.told_apart(noun, at)
             found += [(replace(noun, of=whole), stop) for whole, stop in self._whole(at)]
@@ -294,30 +296,20 @@ class Phrases(Contents):
             yield from self.measured(full, each)
             if listed and self.text(each) == ",":
                 yield full, each + 1
-            if isinstance(of, Noun) and of == Noun(count=of.count, noun="block", many=True) and not noun.size:
+            if isinstance(of, Noun) and counted(of) and not noun.size:
                 more = self.text(each) if self.text(each) not in {"of", "in"} else ""
                 yield from self._filled(replace(noun, size=(of.count,)), each) if more else ()
-
-    def _one_by_one(self, noun: Noun, at: int) -> Ways[Phrase]:
-        """ "two rows: a back row of three and a front row of two"."""
-        if self.text(at) not in {":", ","} or noun.noun not in FIGURES or noun.count < 2:
-            return []
-        told = [(both, end) for both, end in self.phrase(at + 1) if isinstance(both, Both)]
-        return [
-            (both, end) for both, end in told
-            if len(both.parts) == noun.count
-            and all(isinstance(part, Noun) and part.noun == noun.noun and part.det == "a" for part in both.parts)
-        ]  # fmt: skip
 
     def _at_a_part(self, noun: Noun, at: int) -> Iterator[tuple[Phrase, int]]:
         """ "the one at the far right corner", "the block at the other end", "the letter that is in the middle"."""
         whichever = self.text(at - 2) == "whichever"  # "whichever letter is in the middle"
         lead = self.past_any(at, *(_STANDS if whichever else _THAT_STANDS))
-        start = self.past_any(lead or at, "at the", "in the", "on the")
+        own = self.past_any(lead or at, "at its", "in its")
+        start = own or self.past_any(lead or at, "at the", "in the", "on the")
         other = self.text(start) == "other" if start else False
         for part, end in self._head(start + other, noun) if start else ():
             if part.noun in PARTS:
-                told = replace(part, det="other" if other else "the")
+                told = replace(part, det="other" if other else "the", of=Pronoun("it") if own else None)
                 if part.noun == "end":  # a block, so that it is on top of it that something lies
                     told = replace(told, noun=noun.noun, ranks=(*part.ranks, "end"))
                 yield told, end

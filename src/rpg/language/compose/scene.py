@@ -126,6 +126,7 @@ class Scene:
     taken: list[int] = field(default_factory=list)
     before: list[Ref] = field(default_factory=list)
     here: list[Ref] = field(default_factory=list)
+    earlier: list[list[Ref]] = field(default_factory=list)
     lots: int = 0
     stage: int = 0
     subject: tuple[str, list[int]] | None = None
@@ -168,6 +169,7 @@ class Scene:
 
     def next_clause(self) -> None:
         if self.here:
+            self.earlier.append(self.before)
             self.before, self.here = self.here, []
 
     def figure_of(self, block: int) -> Figure | None:

@@ -186,6 +186,11 @@ def is_figure(phrase: Phrase, but: str = "") -> bool:
     return isinstance(phrase, Noun) and phrase.noun in FIGURES - {but}
 
 
+def counted(phrase: Phrase) -> bool:
+    """ "Three", "three blocks": no more than how many they are."""
+    return isinstance(phrase, Noun) and phrase == Noun(count=phrase.count, noun="block", many=True)
+
+
 def any_number(noun: Noun) -> bool:
     """ "Red blocks": as many as they are put on."""
     return bool(noun.color) and noun == Noun(color=noun.color, noun="block", many=True)

@@ -1,0 +1,38 @@
+"""What things that are there form: "A, B and C form a tower", "the two towers stand in a row"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language.compose.facing import face, one_more
+from rpg.language.compose.lined import stand_in
+from rpg.language.compose.nouns import resolve
+from rpg.language.compose.scene import Ref, Scene, Unclear
+from rpg.language.compose.syntax import Noun, Phrase, Pronoun
+
+
+def forms(scene: Scene, ref: Ref, phrase: Phrase) -> None:
+    """These form a figure."""
+    if not isinstance(phrase, Noun):
+        raise Unclear
+    side = phrase.ranks[0] if phrase.det == "the" and len(phrase.ranks) == 1 else ""
+    phrase = one_more(scene, phrase)
+    if phrase.content is not None or phrase.count > 1 or phrase.det not in {"a", ""} or phrase.color:
+        raise Unclear
+    if ref.kind in {"figure", "mixed"} and len(ref.ids) > 1 and not side:
+        stand_in(scene, ref, phrase)
+        return
+    if ref.kind != "block" or ref.each or ref.bound or (phrase.noun == "column" and phrase.way):
+        raise Unclear  # in this order, or in any
+    in_order = phrase.ranks == ("left",)
+    if in_order and len({scene.blocks[n].look for n in ref.ids}) < len(ref.ids):
+        raise Unclear
+    made = replace(phrase, det="a", ranks=(), content=Pronoun("them"))
+    here, scene.here = scene.here, [Ref("block", ref.ids)]
+    subject, scene.subject = scene.subject, None
+    figure = scene.figures[resolve(scene, made).ids[0]]
+    scene.here, scene.subject = [*here, *scene.here[1:]], subject
+    if in_order:
+        figure.told = figure.sided = True
+    if side:
+        face(scene, side, scene.figures.index(figure))

@@ -1,0 +1,73 @@
+"""What "it", "they", "both" and "which" stand for."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language.compose.scene import Ref, Scene, Unclear
+
+
+def pronoun(scene: Scene, word: str) -> Ref:
+    """The one thing, or the one lot, that was spoken of last and that it can stand for."""
+    if word == "which":
+        return _last(scene)
+    if word == "neither":
+        if len(scene.patches) != 2:
+            raise Unclear
+        return Ref("patch", [0, 1], no=True)
+    if word == "that one":  # of several that were told of
+        some = [ref for ref in scene.before if ref.rest and len(ref.ids) == 1]
+        return replace(some[0], rest=[], bound="") if len(some) == 1 else pronoun(scene, "it")
+    many = word in {"they", "their", "them", "these", "those", "both", "each"}
+    earlier = scene.earlier[::-1] if word == "both" else []  # two that were told of farther back
+    for spoken in (scene.here, scene.before, *earlier):
+        fits = [ref for ref in spoken if (len(ref.ids) > 1) == many and ref.kind != "table"]
+        fits = [ref for ref in fits if not _is_subject(scene, ref)]
+        if word == "both":
+            fits = [ref for ref in fits if len(ref.ids) == 2]
+        if many and not fits and spoken is scene.before and len(scene.figures) > 1:
+            if any(figure.implied for figure in scene.figures) or (word == "both" and len(scene.figures) > 2):
+                raise Unclear
+            fits = [Ref("figure", list(range(len(scene.figures))))]
+        if not fits:
+            continue
+        first = fits[0] if len({(ref.kind, tuple(ref.ids)) for ref in fits}) == 1 else None
+        if first is None or (first.kind == "block" and not many and _is_member(scene, first.ids[0])):
+            raise Unclear
+        stocked = {n for lot in scene.stock for n in lot}
+        if many and first.kind == "block" and set(first.ids) < stocked and not stocked & scene.used:
+            raise Unclear  # those that were told of last, or all that there are
+        whole = next(
+            (n for n, f in enumerate(scene.figures) if f.kind == "tower" and set(f.blocks) == set(first.ids)), None
+        )
+        if first.kind == "block" and whole is not None:
+            return _of_each_of_them(scene) if word in {"both", "each"} else Ref("figure", [whole])
+        return replace(first, fresh=False, each=word == "each", bound="", no=False)
+    raise Unclear
+
+
+def _of_each_of_them(scene: Scene) -> Ref:
+    """ "(A and B form a tower, C and D another one,) both ...": the figures, not the blocks of the last one."""
+    if len(scene.figures) != 2 or any(figure.implied for figure in scene.figures):
+        raise Unclear
+    return Ref("figure", [0, 1], each=True)
+
+
+def _is_member(scene: Scene, block: int) -> bool:
+    """Whether a block was told as one of a figure: "it" may be either."""
+    return any(block in f.blocks and not f.implied for f in scene.figures)
+
+
+def _is_subject(scene: Scene, ref: Ref) -> bool:
+    """Whether this is, or is one of, what something is being said of, or holds it: "it" is something else then."""
+    if scene.subject is not None and (ref.kind, scene.subject[0]) == ("figure", "block"):
+        return any(set(scene.subject[1]) & set(scene.figures[n].blocks) for n in ref.ids)
+    return scene.subject is not None and ref.kind == scene.subject[0] and set(ref.ids) <= set(scene.subject[1])
+
+
+def _last(scene: Scene) -> Ref:
+    """What "which" stands for: what is told right before it."""
+    spoken = scene.here or scene.before
+    if not spoken or spoken[-1].kind == "table":
+        raise Unclear
+    return replace(spoken[-1], fresh=False, each=False, bound="", no=False)

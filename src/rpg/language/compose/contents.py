@@ -138,7 +138,7 @@ class Contents(Series, ABC):
         return found
 
     def one_by_one(self, noun: Noun, at: int) -> Ways[Phrase]:
-        """ "two rows: a back row of three and a front row of two", "two rows of three, blue behind and red in front"."""
+        """ "two rows: a back row of three and a front row of two", "two rows, blue behind and red in front"."""
         if self.text(at) not in {":", ","} or noun.count < 2:
             return []
         told = [(both, end) for both, end in self.phrase(at + 1) if isinstance(both, Both)]
@@ -195,8 +195,10 @@ class Contents(Series, ABC):
             end = self.past_any(end, ", and", "and", ",")
             if not end:
                 return []
-        if len({*colors}) < len(colors):
-            return []
+        more = self.past_any(end, ", and", "and", ",")
+        more += self.text(more) in {"a", "one"} if more else 0
+        if len({*colors}) < len(colors) or (more and self.text(more) in lexicon.COLOR):
+            return []  # there are more of them than was said
         return [(Both(tuple(Noun(det="a", color=color, noun=noun.noun or "block") for color in colors)), end)]
 
     def last_at(self, what: Phrase, at: int) -> Ways[Clause]:

@@ -76,7 +76,7 @@ def bare(scene: Scene, ref: Ref, said: Place) -> None:
     elif name == "in turn" and ref.kind == "figure" and len(ref.ids) == 2 and not said.no:
         scene.facts.append(Fact(Ref("figure", ref.ids[1:]), "behind", Ref("figure", ref.ids[:1])))
     elif name in _BARE_PLACES:
-        _in_figure(scene, ref, name, no=said.no)
+        _in_figure(scene, ref, name, no=said.no, inside=said.how == "at" and name in SIDES)
     else:
         raise Unclear
 
@@ -137,7 +137,7 @@ def _put_there(scene: Scene, figure: Figure, block: int, at: int) -> None:
     scene.place = (figure, at)
 
 
-def _in_figure(scene: Scene, ref: Ref, name: str, *, no: bool) -> None:
+def _in_figure(scene: Scene, ref: Ref, name: str, *, no: bool, inside: bool) -> None:
     """ "on top", "at the left end": in the figure that was spoken of, if it is one of its blocks; else on or beside."""
     spoken = [r for refs in (scene.here, scene.before) for r in refs if r.kind == "figure" and r is not ref]
     if ref.kind == "block" and len(ref.ids) == 1 and (own := scene.figure_of(ref.ids[0])) is not None:
@@ -171,7 +171,7 @@ def _in_figure(scene: Scene, ref: Ref, name: str, *, no: bool) -> None:
         return
     if name == "top" and ref.kind == "block":
         on(scene, ref, Ref("block", tops_of(scene, last)), "on", no=False)
-    elif name in SIDES and ref.ids != last.ids:
+    elif name in SIDES and ref.ids != last.ids and not inside:
         scene.facts.append(Fact(ref, SIDES[name], last))
     else:
         raise Unclear

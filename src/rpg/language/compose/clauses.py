@@ -62,6 +62,12 @@ _THEN = (
     ". afterwards", ". next", ", and after that", ", next",
 )  # fmt: skip
 _START = ("at the start", "at the beginning", "initially", "to begin with", "in the beginning", "at start", "at first")
+_START_FROM = tuple(f"{start} {with_}" for start in ("start", "begin", "starting", "beginning", "start out")
+                    for with_ in ("from", "with"))  # fmt: skip
+_STARTS_AS = ("starts as", "starts out as", "begins as", "starts off as", "is at the start")
+_TURN = frozenset({"turn", "rebuild", "change", "convert", "transform", "make", "rearrange", "build", "stack"})
+_REVERSED = ("in the reverse order", "in reverse order", "in reversed order", "in the opposite order", "upside down",
+             "the other way round", "the other way around", "in reverse")  # fmt: skip
 _FRONTED = (",", "is", "are", "goes", "go", "stands", "stand", "there is", "there are", "there should be", "sits",
             "lies", ", there is", ", there are", "must be", "should be", "place", "put", ", put", ", place", "i want",
             "comes", "build", ", build")  # fmt: skip
@@ -141,12 +147,14 @@ class Reader(Verbs):
         for start in self._leads(at):
             there = start > at and any(self.past(at, lead.split()) == start for lead in _THERE)
             found += self._command(start)
+            found += self._turned(start)
             found += self._fronted(start)
             if self.text(start) in {"spell", "write"}:
                 found += self._spelled(start + 1)
             found += self._statement(start)
             found += [(Clause(what, said, "there" if there else ""), end) for what, said, end in self._existing(start)]
         found += self._left_alone(at)
+        found += self._begun(at)
         if either := self.past_any(at, "either"):
             for one, end in self.clause(either):
                 if one.predicates and one.other is None and (start := self.past_any(end, "or", ", or")):
@@ -155,6 +163,30 @@ class Reader(Verbs):
             found += [(Clause(what, (Bears(None),)), stop) for what, stop in self.phrase(end)]
         late = [(said, start) for said, end in found if (start := self.past_any(end, *_START)) and said.predicates]
         found += [(replace(said, mood="start"), end) for said, end in late]
+        return found
+
+    def _begun(self, at: int) -> Ways[Clause]:
+        """ "start from a row of A and B", "the tower starts as red, blue, red from bottom to top"."""
+        found: Ways[Clause] = []
+        if start := self.past_any(at, *_START_FROM):
+            found += [(Clause(what, (), "start"), end) for what, end in self.single(start) if is_figure(what)]
+        for what, end in self.single(at):
+            start = self.past_any(end, *_STARTS_AS)
+            if start and isinstance(what, Noun) and what.det == "the" and what == Noun(det="the", noun=what.noun):
+                told = self.in_turn(replace(what, det="a"), start)
+                found += [(Clause(figure, (), "start"), stop) for figure, stop in told]
+        return found
+
+    def _turned(self, at: int) -> Ways[Clause]:
+        """ "turn it into a tower", "rebuild it in reverse order": what there is becomes something else."""
+        found: Ways[Clause] = []
+        for what, end in self.single(at + 1) if self.text(at) in _TURN else ():
+            found += [(Clause(what, (Made(figure),), "build"), stop) for figure, stop in self.into(end)]
+            if back := self.past_any(end, *_REVERSED):
+                found.append((Clause(what, (Made(Noun(det="a", noun="one", order="reversed")),), "build"), back))
+        if self.text(at) == "reverse":
+            reverse = Made(Noun(det="a", noun="one", order="reversed"))
+            found += [(Clause(what, (reverse,), "build"), end) for what, end in self.single(at + 1)]
         return found
 
     def _left_alone(self, at: int) -> Ways[Clause]:
@@ -169,6 +201,10 @@ class Reader(Verbs):
             some = [way for way in self.phrase(start) if not isinstance(way[0], Noun) or way[0].det != "a"]
             found += [(Clause(what, (STAY,), "put"), end) for what, end in some]  # "a" may be any of them
         return found
+
+    def led(self, at: int) -> bool:
+        """Whether a clause that begins there has words ahead of it such as "at the end"."""
+        return len(self._leads(at)) > 1
 
     def _leads(self, at: int) -> list[int]:
         """Where the clause itself may begin."""

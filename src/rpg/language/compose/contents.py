@@ -177,6 +177,27 @@ class Contents(Series, ABC):
     def _side(self, at: int) -> list[tuple[str, int]]:
         return [(side, end) for side, ways in _AT_SIDE.items() if (end := self.past_any(at, *ways))]
 
+    def in_turn(self, noun: Noun, at: int) -> Ways[Noun]:
+        """ "red, blue, red from bottom to top", "A, B and C from left to right": its blocks one after the other."""
+        parts: list[Phrase] = []
+        start = end = at
+        while start:
+            begin = start + (self.text(start) in {"a", "the"})
+            label, color = self.label(begin), lexicon.COLOR.get(self.text(begin), "")
+            if not (label or color) or self.items[begin].many:
+                break
+            parts.append(Label(label) if label else Noun(color=color))
+            end = begin + 1 + (self.text(begin + 1) in {"block", "one"})
+            start = self.past_any(end, "and", ", and", ",", ", then", "then", "and then")
+        end += self.text(end) == ","
+        if len(parts) < 2 or noun.noun not in {"tower", "row"}:
+            return []
+        first, last = ("bottom", "top") if noun.noun == "tower" else ("left", "right")
+        ahead = self.past_any(end, f"from {first} to {last}", f"from the {first} to the {last}", f"{first} to {last}")
+        back = self.past_any(end, f"from {last} to {first}", f"from the {last} to the {first}", f"{last} to {first}")
+        listed = Chain(tuple(parts[::-1] if ahead else parts))
+        return [(replace(noun, content=listed, made="of", order="listed"), ahead or back)] if ahead or back else []
+
     def told_apart(self, noun: Noun, at: int) -> Ways[Phrase]:
         """ "two patches, a yellow and a gray one", "three: black, orange and gray": of each colour one."""
         if self.text(at) not in {",", ":"} or noun.count < 2 or noun.color or noun.noun not in {"", "block", "patch"}:

@@ -168,11 +168,7 @@ def _made(scene: Scene, noun: Noun, kind: str, resolve: Resolve) -> int:
         raise Unclear  # of what stands side by side, or of what lies on what
     figure.counted = isinstance(content, Noun) and content.count > 0
     if isinstance(content, Chain):
-        for of in reversed(content.parts):
-            figure.blocks.append(_storey(scene, of, resolve, figure.blocks))
-        figure.told = True
-        if kind != "tower" or noun.made == "from" or len(set(figure.blocks)) < len(figure.blocks):
-            raise Unclear
+        _told_in_turn(scene, figure, noun, content, resolve)
     elif content is not None:
         if isinstance(content, Noun) and content.noun == "one" and content.color and content.count and not content.det:
             content = replace(content, noun="block")  # "a row of three red blocks behind a row of three blue ones"
@@ -208,13 +204,26 @@ def _made(scene: Scene, noun: Noun, kind: str, resolve: Resolve) -> int:
     if noun.color and any(scene.blocks[n].color != noun.color for n in figure.blocks):
         raise Unclear
     _check_size(figure, size, noun)
-    if len(figure.blocks) < 2 or any(n in f.blocks for f in scene.figures for n in figure.blocks):
+    kept = [f for f in scene.figures if scene.at_start or not scene.may_change(f)]
+    if len(figure.blocks) < 2 or any(n in f.blocks for f in kept for n in figure.blocks):
         raise Unclear
-    if noun.order and not figure.alternates:
+    if noun.order in {"reversed", "kept"}:
+        _as_at_start(scene, figure, back=noun.order == "reversed")
+    elif noun.order not in {"", "listed"} and not figure.alternates:
         put_in_order(scene, figure, noun.order)
     scene.figures.append(figure)
     scene.here = here  # "it" is the figure, not what it is made of
     return len(scene.figures) - 1
+
+
+def _told_in_turn(scene: Scene, figure: Figure, noun: Noun, content: Chain, resolve: Resolve) -> None:
+    """A tower from top to bottom, or a row from the right, of which the blocks are listed."""
+    for of in reversed(content.parts):
+        figure.blocks.append(_storey(scene, of, resolve, figure.blocks))
+    upright = figure.kind == "tower" or (noun.order == "listed" and figure.kind == "row")
+    if not upright or noun.made == "from" or len(set(figure.blocks)) < len(figure.blocks):
+        raise Unclear
+    figure.told, figure.sided = True, figure.kind == "row"
 
 
 def _storey(scene: Scene, phrase: Phrase, resolve: Resolve, below: list[int]) -> int:
@@ -280,6 +289,18 @@ def put_in_order(scene: Scene, figure: Figure, order: str) -> None:
         raise Unclear
     figure.blocks.sort(key=lambda n: scene.blocks[n].label, reverse=order == "descending")
     figure.told = figure.sided = figure.in_order = True
+
+
+def _as_at_start(scene: Scene, figure: Figure, *, back: bool) -> None:
+    """In the order in which its blocks are at the start, or the other way round."""
+    start = next((f for f in scene.figures if set(figure.blocks) <= set(f.blocks) and f.stage < 0), None)
+    if start is None or not start.told or figure.kind != start.kind or figure.told:
+        raise Unclear
+    there = [at for at, n in enumerate(start.blocks) if n in figure.blocks]
+    if there != list(range(there[0], there[-1] + 1)):
+        raise Unclear
+    figure.blocks = [start.blocks[at] for at in (there[::-1] if back else there)]
+    figure.told, figure.sided = True, start.sided
 
 
 def has_first(figure: Figure) -> bool:

@@ -15,6 +15,11 @@ def forms(scene: Scene, ref: Ref, phrase: Phrase) -> None:
     """These form a figure."""
     if not isinstance(phrase, Noun):
         raise Unclear
+    before = scene.figures[ref.ids[0]] if ref.kind == "figure" and len(ref.ids) == 1 else None
+    if before is not None and scene.may_change(before) and not scene.at_start:
+        ref = Ref("block", list(before.blocks))  # what is there is made into something else
+        if phrase.noun == "one":
+            phrase = replace(phrase, noun=before.kind)
     side = phrase.ranks[0] if phrase.det == "the" and len(phrase.ranks) == 1 else ""
     phrase = one_more(scene, phrase)
     if phrase.content is not None or phrase.count > 1 or phrase.det not in {"a", ""} or phrase.color:
@@ -27,7 +32,7 @@ def forms(scene: Scene, ref: Ref, phrase: Phrase) -> None:
     in_order = phrase.ranks == ("left",)
     if in_order and len({scene.blocks[n].look for n in ref.ids}) < len(ref.ids):
         raise Unclear
-    made = replace(phrase, det="a", ranks=(), content=Pronoun("them"))
+    made = replace(phrase, det="a", ranks=(), content=Pronoun("these blocks"))
     here, scene.here = scene.here, [Ref("block", ref.ids)]
     subject, scene.subject = scene.subject, None
     figure = scene.figures[resolve(scene, made).ids[0]]

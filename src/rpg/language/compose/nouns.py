@@ -183,7 +183,7 @@ def _others(scene: Scene, noun: Noun) -> Ref:
     left = [n for n in scene.whole if n not in scene.taken]
     if noun.ranks or noun.nth or noun.content is not None:
         raise Unclear
-    if not scene.taken and (apart := _spared(scene)):
+    if not scene.taken and (apart := _spared(scene) or _left_there(scene)):
         if noun.count not in {0, len(apart)} or noun.color or not (noun.many or noun.count > 1):
             raise Unclear
         return Ref("block", apart)
@@ -208,6 +208,15 @@ def _spared(scene: Scene) -> list[int]:
         return plain  # "the others are white"
     told = {n for ref in scene.refs("block") for n in ref.ids if len(ref.ids) < len(figures[0].blocks)}
     return [n for n in figures[0].blocks if n not in told] if told & set(figures[0].blocks) else []
+
+
+def _left_there(scene: Scene) -> list[int]:
+    """ "(Move the top block off,) the other two": those of what is there at the start that this is taken from."""
+    start = [figure for figure in scene.figures if figure.stage < 0]
+    if len(start) != 1 or len(scene.figures) > 1 or scene.subject is None or scene.subject[0] != "block":
+        return []
+    moved = set(scene.subject[1])
+    return [n for n in start[0].blocks if n not in moved] if moved < set(start[0].blocks) else []
 
 
 def _some_of(scene: Scene, noun: Noun) -> Ref:

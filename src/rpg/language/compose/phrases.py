@@ -268,6 +268,8 @@ class Phrases(Contents):
             figures: Ways[Noun] = []
             for measured, end in [(noun, at), *self.measured(noun, at)]:
                 figures += [(measured, end), *self._filled(measured, end)]
+                if start := self.past_any(end, "of", ":", ",", ", of"):
+                    figures += self.in_turn(measured, start)
             found += [*figures[1:], *(way for figure, end in figures for way in self.ordered(figure, end))]
             plain = [(one, end) for one, end in figures if one.content is None or counted(one.content)]
             found += [way for figure, end in plain for way in self.one_by_one(figure, end)]

@@ -9,6 +9,8 @@ from rpg.language.compose.scene import Ref, Scene, Unclear
 
 def pronoun(scene: Scene, word: str) -> Ref:
     """The one thing, or the one lot, that was spoken of last and that it can stand for."""
+    if word == "these blocks":  # not what they form already
+        return scene.here[0]
     if word == "which":
         return _last(scene)
     if word == "neither":

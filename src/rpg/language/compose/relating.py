@@ -131,6 +131,8 @@ def _bar(scene: Scene, figure: Figure, ids: list[int], at: list[int]) -> None:
 
 
 def _put_there(scene: Scene, figure: Figure, block: int, at: int) -> None:
+    if figure.told and scene.blocks[figure.blocks[at]].look == scene.blocks[block].look:
+        return  # this is told again
     if figure.told or figure.placed.get(at, block) != block:
         raise Unclear
     figure.placed[at] = block
@@ -280,6 +282,9 @@ def on(scene: Scene, ref: Ref, target: Ref, word: str, *, no: bool) -> None:
         if word == "on" and not no and (tower := next((f for f in scene.figures if f.blocks[-1] == b), None)):
             if tower.implied:
                 tower.blocks.append(a)
+        elif word == "on" and not no and (under := next((f for f in scene.figures if f.blocks[0] == a), None)):
+            if under.implied:
+                under.blocks.insert(0, b)
         elif word == "on" and not no and not any({a, b} & set(f.blocks) for f in scene.figures):
             scene.figures.append(Figure("tower", [b, a], told=True, implied=True))
 

@@ -129,6 +129,7 @@ class Scene:
     earlier: list[list[Ref]] = field(default_factory=list)
     lots: int = 0
     stage: int = 0
+    at_start: bool = False
     subject: tuple[str, list[int]] | None = None
     place: tuple[Figure, int] | None = None
     placed: list[int] = field(default_factory=list)
@@ -173,8 +174,8 @@ class Scene:
             self.before, self.here = self.here, []
 
     def figure_of(self, block: int) -> Figure | None:
-        """The figure that a block is a part of."""
-        return next((f for f in self.figures if block in f.blocks), None)
+        """The figure that a block is a part of, the one told last where it is taken from another."""
+        return next((f for f in reversed(self.figures) if block in f.blocks), None)
 
     def may_change(self, figure: Figure) -> bool:
         """Whether a figure is there at the start and need not stay."""

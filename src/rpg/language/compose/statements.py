@@ -49,6 +49,7 @@ def say(scene: Scene, clause: Clause) -> None:
         return
     if clause.mood == "start" and STAY in clause.predicates:
         raise Unclear
+    scene.at_start = clause.mood == "start"
     facts, figures = len(scene.facts), len(scene.figures)
     _say(scene, clause)
     if clause.later:

@@ -151,7 +151,8 @@ class Verbs(Places):
             here += self._neither(end)
             if self.text(end) in _PILED:
                 here += [((Made(TOWER), *said), stop) for said, stop in self.predicates(end + 1)]
-                here.append(((Made(TOWER),), end + 1))
+                kept = self.text(end - 1) in {"stay", "stays", "remain", "remains"}
+                here.append(((Made(replace(TOWER, order="kept") if kept else TOWER),), end + 1))
             if stays := self.past_any(end, *STAYS):
                 here.append(((STAY,), stays))
             if denied or not_there > end:  # what is joined to it may be denied, too, or not

@@ -38,6 +38,8 @@ def readings(reader: Reader) -> Iterator[tuple[tuple[Clause, ...], list[Scene]]]
             tried += 1
             with suppress(Unclear):
                 clause = _behind(last, step.clause) if last else step.clause
+                if last and last.joined and last.clause.mood == "start" and not reader.led(last.at):
+                    clause = _so_at_start(clause)
                 scenes = [scene for before in told for scene in _said(before, clause)]
                 if len(scenes) > _MOST_SCENES:
                     raise Unclear
@@ -70,6 +72,12 @@ def _said(told: bytes, clause: Clause) -> list[Scene]:
     if not scenes:
         raise Unclear
     return scenes
+
+
+def _so_at_start(clause: Clause) -> Clause:
+    """ "At the start A is on B and C on D": both are."""
+    said = clause.predicates and clause.mood in {"so", ""}
+    return replace(clause, mood="start") if said else clause
 
 
 def _behind(last: Step, clause: Clause) -> Clause:

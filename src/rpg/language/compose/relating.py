@@ -293,6 +293,9 @@ def _beside(scene: Scene, ref: Ref, target: Ref, said: Place) -> None:
     """Sides, distances, touch."""
     if ref.bound or target.kind == "table":
         raise Unclear
+    wide = ref.kind == "figure" and any(scene.figures[n].kind != "tower" for n in ref.ids)
+    if wide and target.kind == "block" and scene.figure_of(target.ids[0]) is not None:
+        raise Unclear  # "a column behind the left end of a row": all of it behind that block alone
     some = (
         [Ref(ref.kind, [n]) for n in ref.ids]
         if ref.each or said.no or said.relation in {"touch", "apart", "far"}

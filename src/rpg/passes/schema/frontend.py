@@ -354,7 +354,7 @@ _NOT_UNDERSTOOD = frozenset({"misplaced-word", "incomplete"})
 """Why a text is refused that may be understood with its clauses told apart."""
 _PARSED = frozenset({
     "misplaced-word", "incomplete", "misplaced", "no-referent", "unused-block", "no-goal", "self-reference",
-    "count-mismatch", "too-many-asked", "order-conflict", "fixed-patch",
+    "count-mismatch", "too-many-asked", "order-conflict", "fixed-patch", "contradiction", "support-cycle",
 })  # fmt: skip
 """Why a text is refused that may be parsed otherwise, as it may where it is asked which one of several is meant."""
 _NOT_KNOWN = frozenset({"unknown-word", "misplaced"})

@@ -13,8 +13,6 @@ READ = {
     "Stack A and B in the left tower and C and D in the right one.": "The blocks A and B must form a tower of exactly "
     "two. The blocks C and D must form a tower of exactly two. The tower of the blocks A and B must be to the left of "
     "the tower of the blocks C and D.",
-    "I'd like two rows of three, blue at the back and orange at the front.": "The three blue blocks must be in a row. "
-    "The three orange blocks must be in a row. The three blue blocks must be behind the three orange blocks.",
     "Build three towers, each white on black, in a column.": "A black block and a white block must form a tower of "
     "exactly two from bottom to top in the order black, white. Another black block and another white block must form "
     "a tower of exactly two from bottom to top in the order black, white. The other black block and the other white "

@@ -39,6 +39,7 @@ from tests.language.meaning import code_of, means
         ("Put red on blue, and the green cube must stay not moved.", "Put red on blue, green must not be moved."),
         ("Build a rainbow tower! Red at the bottom, then orange, yellow and green on the very top.",
          "Build a rainbow tower: red at the bottom, then orange, yellow and green on top."),
+        ("The grid I want is 2x3 and red.", "The grid is 2x3 and red."),
     ],
 )  # fmt: skip
 def test_it_is_the_plain_task(text: str, plain: str) -> None:

@@ -7,12 +7,15 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from rpg.language import lexicon
+from rpg.language.compose.becoming import Becoming
 from rpg.language.compose.items import FIGURES
 from rpg.language.compose.series import counted
 from rpg.language.compose.syntax import (
     STAY,
     TOWER,
+    Among,
     Bears,
+    Both,
     Clause,
     Label,
     Looks,
@@ -24,7 +27,7 @@ from rpg.language.compose.syntax import (
     Pronoun,
     is_figure,
 )
-from rpg.language.compose.verbs import AUX, BUILT, STAYS, Verbs, opposite_of
+from rpg.language.compose.verbs import AUX, BUILT, STAYS, opposite_of
 from rpg.language.compose.words import Ways, remembered
 
 _LEADS = (
@@ -51,6 +54,7 @@ _LINED = (
     "in a line from left to right", "from left to right", "left to right",
 )  # fmt: skip
 _STACK = frozenset({"stack", "pile"})
+_CAP = frozenset({"cap", "top", "crown"})
 _PILED_AT = frozenset({"on", "in", "off", "under", "region", "top", "table"})
 """Where one may stack things; what is stacked beside something, or between, need not stand on the table."""
 _BEHIND_COMMA = frozenset({"in turn", "side by side", "rising", "any order"})
@@ -62,12 +66,6 @@ _THEN = (
     ". afterwards", ". next", ", and after that", ", next",
 )  # fmt: skip
 _START = ("at the start", "at the beginning", "initially", "to begin with", "in the beginning", "at start", "at first")
-_START_FROM = tuple(f"{start} {with_}" for start in ("start", "begin", "starting", "beginning", "start out")
-                    for with_ in ("from", "with"))  # fmt: skip
-_STARTS_AS = ("starts as", "starts out as", "begins as", "starts off as", "is at the start")
-_TURN = frozenset({"turn", "rebuild", "change", "convert", "transform", "make", "rearrange", "build", "stack"})
-_REVERSED = ("in the reverse order", "in reverse order", "in reversed order", "in the opposite order", "upside down",
-             "the other way round", "the other way around", "in reverse")  # fmt: skip
 _FRONTED = (",", "is", "are", "goes", "go", "stands", "stand", "there is", "there are", "there should be", "sits",
             "lies", ", there is", ", there are", "must be", "should be", "place", "put", ", put", ", place", "i want",
             "comes", "build", ", build")  # fmt: skip
@@ -78,6 +76,14 @@ _SEPARATORS = (
     "; and", ", leaving", ",", ";", ".", "!", "?", ":", "and", "but", "while", "plus", "with", "whereas", "so that",
 )  # fmt: skip
 
+_ONE_OF_THEM = ("one of them", "one of which", "one of these", "one")
+_TO_BE = ("must be", "has to be", "needs to be", "should be", "shall be", "is to be", "is", "being")
+_NOT_TO_BE = ("is not", "is not to be", "must not be", "should not be", "shall not be", "may not be", "can not be")
+_NOT_TOGETHER = tuple(
+    f"{must}both be {there}"
+    for must in ("", "must not ", "should not ", "may not ", "can not ")
+    for there in ("there", "on it", "chosen", "among them")
+)
 _WITH = frozenset({
     ", with", "with", ", leaving", "so that", ", so that", ", except that", "except that", ", such that", "such that",
     "in such a way that", ", where", "where", "in which", ", in which",
@@ -99,7 +105,7 @@ class Step(NamedTuple):
     joined: bool = False
 
 
-class Reader(Verbs):
+class Reader(Becoming):
     """Reads the clauses of a text."""
 
     def steps(self, at: int, *, said: bool = False) -> Iterator[Step]:
@@ -132,7 +138,7 @@ class Reader(Verbs):
         if self.text(at) == "which":
             found += [(Clause(Pronoun("which"), said, "must"), end) for said, end in self.verbs(at + 1)]
         for side, begin in self.counting(at):
-            found += [(replace(said, subject=counted(said.subject, side)), end) for said, end in self.clause(begin)]
+            found += [(counted(said, side), end) for said, end in self.clause(begin)]
         if begin := self.past_any(at, *_START, *(f"{start} ," for start in _START), "start :"):
             found += [(replace(said, mood="start"), end) for said, end in self.clause(begin)]
         if first := self.past_any(at, "first", "first ,", "first of all ,"):
@@ -147,14 +153,15 @@ class Reader(Verbs):
         for start in self._leads(at):
             there = start > at and any(self.past(at, lead.split()) == start for lead in _THERE)
             found += self._command(start)
-            found += self._turned(start)
+            found += self.turned(start)
             found += self._fronted(start)
             if self.text(start) in {"spell", "write"}:
                 found += self._spelled(start + 1)
             found += self._statement(start)
             found += [(Clause(what, said, "there" if there else ""), end) for what, said, end in self._existing(start)]
         found += self._left_alone(at)
-        found += self._begun(at)
+        found += self.begun(at)
+        found += self._narrowed(at)
         if either := self.past_any(at, "either"):
             for one, end in self.clause(either):
                 if one.predicates and one.other is None and (start := self.past_any(end, "or", ", or")):
@@ -165,28 +172,21 @@ class Reader(Verbs):
         found += [(replace(said, mood="start"), end) for said, end in late]
         return found
 
-    def _begun(self, at: int) -> Ways[Clause]:
-        """ "start from a row of A and B", "the tower starts as red, blue, red from bottom to top"."""
+    def _narrowed(self, at: int) -> Ways[Clause]:
+        """ "(one of A, B and C,) and it must not be B", "one of which has to be C", "but not both A and B"."""
+        starts = [(self.past_any(at, "not"), True), (self.past_any(at, "including", "among them"), False)]
+        if who := self.past_any(at, "it", *_ONE_OF_THEM):
+            starts.append((self.past_any(who, *_NOT_TO_BE), True))
+            starts += [(self.past_any(who, *_TO_BE), False), (who, False)] if self.text(at) == "one" else []
         found: Ways[Clause] = []
-        if start := self.past_any(at, *_START_FROM):
-            found += [(Clause(what, (), "start"), end) for what, end in self.single(start) if is_figure(what)]
-        for what, end in self.single(at):
-            start = self.past_any(end, *_STARTS_AS)
-            if start and isinstance(what, Noun) and what.det == "the" and what == Noun(det="the", noun=what.noun):
-                told = self.in_turn(replace(what, det="a"), start)
-                found += [(Clause(figure, (), "start"), stop) for figure, stop in told]
-        return found
-
-    def _turned(self, at: int) -> Ways[Clause]:
-        """ "turn it into a tower", "rebuild it in reverse order": what there is becomes something else."""
-        found: Ways[Clause] = []
-        for what, end in self.single(at + 1) if self.text(at) in _TURN else ():
-            found += [(Clause(what, (Made(figure),), "build"), stop) for figure, stop in self.into(end)]
-            if back := self.past_any(end, *_REVERSED):
-                found.append((Clause(what, (Made(Noun(det="a", noun="one", order="reversed")),), "build"), back))
-        if self.text(at) == "reverse":
-            reverse = Made(Noun(det="a", noun="one", order="reversed"))
-            found += [(Clause(what, (reverse,), "build"), end) for what, end in self.single(at + 1)]
+        for start, no in starts:
+            both = no and self.text(start) == "both"
+            for them, end in self.phrase(start + both) if start else ():
+                if _several_named(them) if both else isinstance(them, Label | Noun) or not no:
+                    found.append((Clause(them, (Among(no),), "must"), end))
+        for them, end in self.phrase(self.past_any(at, "do not let") or at):
+            if (stop := self.past_any(end, *_NOT_TOGETHER)) and _several_named(them):
+                found.append((Clause(them, (Among(no=True),), "must"), stop))
         return found
 
     def _left_alone(self, at: int) -> Ways[Clause]:
@@ -236,6 +236,12 @@ class Reader(Verbs):
                             said = (Made(TOWER), *said)
                         found.append((Clause(what, said, "put"), stop))
         found += self._line_up(at) if not no else []
+        if verb in _PUT and not no:
+            found += self._until(start)
+        if verb in _CAP and not no:
+            for what, end in self.phrase(start):
+                upper = self.single(end + 1) if self.text(end) == "with" else ()
+                found += [(Clause(what, (Bears(one),), "put"), stop) for one, stop in upper]
         if verb in _STACK and not no:
             for what, end in self.phrase(start):
                 for tower, stop in ((TOWER, end), *self.ordered(TOWER, end)):
@@ -256,6 +262,17 @@ class Reader(Verbs):
             found += [(Clause(what, (Made(_LINE), *said), "build"), end) for what, said, end in lined_up]
             rows = [(what, way) for what, end in self.phrase(lined) for way in self.ordered(_LINE, end)]
             found += [(Clause(what, (Made(row),), "build"), end) for what, (row, end) in rows]
+        return found
+
+    def _until(self, start: int) -> Ways[Clause]:
+        """ "(bring) the two over so that both are next to it": where they are to be is told behind."""
+        found: Ways[Clause] = []
+        for what, end in self.phrase(start):
+            so = self.past_any(end + (self.text(end) in {"over", ","}), "so that", "such that", "until")
+            for clause, stop in self._statement(so) if so else ():
+                same = isinstance(clause.subject, Pronoun) and (clause.subject.word == "it") != several(what)
+                if same and clause.mood in {"so", "must"} and _says(clause):
+                    found.append((replace(clause, subject=what, mood="put"), stop))
         return found
 
     def _built(self, start: int, *, laid: bool) -> Ways[Clause]:
@@ -296,7 +313,8 @@ class Reader(Verbs):
         """ "behind it another row", "between both is the digit 0", "beside this stack goes a tower"."""
         found: Ways[Clause] = []
         if within := self.past_any(at, "in", "of"):
-            found += [(Clause(what, (), "in"), end) for what, end in self.single(within) if isinstance(what, Noun)]
+            wholes = [way for way in self.phrase(within) if isinstance(way[0], Noun | Both)]
+            found += [(Clause(what, (), "in"), end) for what, end in wholes]
         for place, end in self.place(at):
             starts = {self.past_any(end, way) for way in _FRONTED} | {end}
             for start in starts - {0}:
@@ -347,6 +365,8 @@ class Reader(Verbs):
             looks.append(((Looks(Noun(color=color)),), start + 1))
         if end := self.past_any(start, *_LINED):
             looks.append(((Made(Noun(det="a", noun="row", ranks=("left",))),), end))
+        sorted_so = self.ordered(Noun(det="a", noun="row"), start)
+        looks += [((Made(row),), end) for row, end in sorted_so if self.text(end - 1) == "right"]
         if end := self.past_any(start, "lined up", ", lined up"):
             looks.append(((Made(_LINE),), end))
         verbs = self.verbs(start) if start > at or self.text(start).endswith("ing") else []
@@ -356,6 +376,10 @@ class Reader(Verbs):
 def _says(clause: Clause) -> bool:
     """Whether a clause says one thing, and by itself."""
     return bool(clause.predicates) and clause.other is None and clause.aside is None
+
+
+def _several_named(phrase: Phrase) -> bool:
+    return isinstance(phrase, Both) and not phrase.either
 
 
 def several(phrase: Phrase) -> bool:

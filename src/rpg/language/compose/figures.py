@@ -9,8 +9,9 @@ from math import isqrt, prod
 from rpg.blocks.figures import FEWEST
 from rpg.language.compose.items import FIGURES, PARTS, SYMBOL_KINDS, shows
 from rpg.language.compose.lined import of_line, stand_in
+from rpg.language.compose.ordering import as_at_start, put_in_order
 from rpg.language.compose.places_of import DRAWN, line_of, places, steps
-from rpg.language.compose.scene import SIDES, Figure, Ref, Scene, Unclear
+from rpg.language.compose.scene import SIDES, Fact, Figure, Ref, Scene, Unclear
 from rpg.language.compose.syntax import Both, Chain, Label, Listing, Noun, Phrase, Pronoun
 
 Resolve = Callable[[Scene, Phrase], Ref]
@@ -52,7 +53,9 @@ def figures_of(scene: Scene, noun: Noun, resolve: Resolve) -> Ref:
             raise Unclear
     if noun.nth or noun.bound or set(noun.ranks) - {"tall", "short", "hollow", "full"}:
         raise Unclear
-    if noun.count > 1 and (noun.made == "from" or (isinstance(noun.content, Both | Chain) and noun.made != "each")):
+    if noun.count > 1 and (
+        noun.made.startswith("from") or (isinstance(noun.content, Both | Chain) and noun.made != "each")
+    ):
         raise Unclear  # these are all of their blocks, or those of each
     if kind in {"row", "line"} and isinstance(noun.content, Noun) and noun.content.noun == "tower":
         towers = resolve(scene, noun.content)
@@ -121,7 +124,9 @@ def _ranked(scene: Scene, found: list[int], noun: Noun) -> list[int]:
                 raise Unclear
             found = [0 if rank == "former" else 1]
         else:
-            found = [n for n in found if _is_farthest(scene, n, found, rank)]
+            among = Ref("figure", found)
+            _tell_apart(scene, among, rank)
+            found = [n for n in found if is_farthest(scene, n, among, rank)]
     if noun.nth:
         if noun.nth > len(found):
             raise Unclear
@@ -129,29 +134,39 @@ def _ranked(scene: Scene, found: list[int], noun: Noun) -> list[int]:
     return found
 
 
-def _is_farthest(scene: Scene, n: int, found: list[int], rank: str) -> bool:
-    """Whether a figure is said to be on that side of all others of these."""
+def _tell_apart(scene: Scene, both: Ref, rank: str) -> None:
+    """ "The left one" of two towers that look alike: one of them is to the left of the other, whichever."""
+    a, b = (scene.figures[n] for n in both.ids) if len(both.ids) == 2 else (None, None)
+    if a is None or b is None or a.kind != "tower" or rank not in TOWARD or not scene.alike([*a.blocks, *b.blocks]):
+        return
+    sides = any(fact.said in TOWARD.values() for fact in scene.facts)
+    if not sides and not scene.told_of("block") & {*a.blocks, *b.blocks} and len(a.blocks) == len(b.blocks):
+        scene.facts.append(Fact(Ref("figure", both.ids[:1]), TOWARD[rank], Ref("figure", both.ids[1:])))
+
+
+def is_farthest(scene: Scene, n: int, among: Ref, rank: str) -> bool:
+    """Whether one of several is said to be on that side of all others, or between them."""
+    others = [m for m in among.ids if m != n]
     if rank == "middle":
-        sides = [r for r in ("left", "near") if all(_is_between(scene, n, found, r) for _ in found)]
+        sides = [r for r in ("left", "near") if _is_between(scene, n, others, among.kind, r)]
         return bool(sides)
     if rank not in TOWARD:
         raise Unclear
-    return all(_is_toward(scene, n, other, rank) for other in found if other != n)
+    return all(_is_toward(scene, n, other, among.kind, rank) for other in others)
 
 
-def _is_between(scene: Scene, n: int, found: list[int], rank: str) -> bool:
-    others = [m for m in found if m != n]
-    toward = [m for m in others if _is_toward(scene, n, m, rank)]
-    away = [m for m in others if _is_toward(scene, m, n, rank)]
+def _is_between(scene: Scene, n: int, others: list[int], kind: str, rank: str) -> bool:
+    toward = [m for m in others if _is_toward(scene, n, m, kind, rank)]
+    away = [m for m in others if _is_toward(scene, m, n, kind, rank)]
     return len(toward) == len(away) and len(toward) + len(away) == len(others) > 0
 
 
-def _is_toward(scene: Scene, a: int, b: int, rank: str) -> bool:
+def _is_toward(scene: Scene, a: int, b: int, kind: str, rank: str) -> bool:
     return any(
         (fact.said.endswith(TOWARD[rank]) and fact.a.ids == [a] and fact.b.ids == [b])
         or (fact.said.endswith(TOWARD[OPPOSITE[rank]]) and fact.a.ids == [b] and fact.b.ids == [a])
         for fact in scene.facts
-        if fact.a.kind == "figure" and fact.b is not None and fact.b.kind == "figure" and not fact.no
+        if fact.b is not None and fact.a.kind == fact.b.kind == kind and not fact.no
     )
 
 
@@ -180,7 +195,7 @@ def _made(scene: Scene, noun: Noun, kind: str, resolve: Resolve) -> int:
         figure.blocks = list(ref.ids)
         labels = [scene.blocks[n].label for n in ref.ids]
         if noun.made == "from" and len(labels) > 2 and all(map(str.isdigit, labels)) and labels == sorted(labels):
-            raise Unclear  # "a row from 1 to 5" is in this order, "from the digits 1 to 5" in any
+            raise Unclear  # "a row from 1 to 5" is in this order, one "from the digits 1 to 5" in any
         figure.free = isinstance(content, Both) and any(isinstance(p, Noun) and p.count > 1 for p in content.parts)
     elif noun.order == "alternating":
         figure.blocks = _alternating(scene, noun, size)
@@ -194,8 +209,8 @@ def _made(scene: Scene, noun: Noun, kind: str, resolve: Resolve) -> int:
         alike = [f for f in scene.figures if f.kind == kind]
         if noun.det == "another" and not size and alike and noun.color:
             size = (len(alike[-1].blocks),)
-        if not noun.color and any(scene.blocks[f.blocks[0]].color for f in scene.figures):
-            raise Unclear  # of the same colour as that one, or of another
+        if not noun.color and any(scene.blocks[f.blocks[0]].color or f.stage < 0 for f in scene.figures):
+            raise Unclear  # of the same colour as that one, or of another; of its blocks, or of others
         usual = kind == "plus" or (kind in DRAWN and noun.color)
         if usual and not size and scene.stock:
             raise Unclear  # of those that there are
@@ -208,7 +223,7 @@ def _made(scene: Scene, noun: Noun, kind: str, resolve: Resolve) -> int:
     if len(figure.blocks) < 2 or any(n in f.blocks for f in kept for n in figure.blocks):
         raise Unclear
     if noun.order in {"reversed", "kept"}:
-        _as_at_start(scene, figure, back=noun.order == "reversed")
+        as_at_start(scene, figure, back=noun.order == "reversed")
     elif noun.order not in {"", "listed"} and not figure.alternates:
         put_in_order(scene, figure, noun.order)
     scene.figures.append(figure)
@@ -221,7 +236,7 @@ def _told_in_turn(scene: Scene, figure: Figure, noun: Noun, content: Chain, reso
     for of in reversed(content.parts):
         figure.blocks.append(_storey(scene, of, resolve, figure.blocks))
     upright = figure.kind == "tower" or (noun.order == "listed" and figure.kind == "row")
-    if not upright or noun.made == "from" or len(set(figure.blocks)) < len(figure.blocks):
+    if not upright or noun.made.startswith("from") or len(set(figure.blocks)) < len(figure.blocks):
         raise Unclear
     figure.told, figure.sided = True, figure.kind == "row"
 
@@ -277,30 +292,6 @@ def _check_size(figure: Figure, size: tuple[int, ...], noun: Noun) -> None:
         raise Unclear
     figure.size = size if kind in {"wall", "cube"} else (size[1], size[0])
     figure.kind = "grid" if kind == "square" else kind
-
-
-def put_in_order(scene: Scene, figure: Figure, order: str) -> None:
-    """ "In alphabetical order", "descending": by what its blocks show; from the left, or from the bottom up."""
-    labels = [scene.blocks[n].label for n in figure.blocks]
-    letters = order == "alphabetical" or (order == "ascending" and labels[0].isalpha())
-    if figure.kind not in {"row", "line", "tower"} or figure.told:
-        raise Unclear
-    if not all(label.isalpha() if letters else label.isdigit() for label in labels):
-        raise Unclear
-    figure.blocks.sort(key=lambda n: scene.blocks[n].label, reverse=order == "descending")
-    figure.told = figure.sided = figure.in_order = True
-
-
-def _as_at_start(scene: Scene, figure: Figure, *, back: bool) -> None:
-    """In the order in which its blocks are at the start, or the other way round."""
-    start = next((f for f in scene.figures if set(figure.blocks) <= set(f.blocks) and f.stage < 0), None)
-    if start is None or not start.told or figure.kind != start.kind or figure.told:
-        raise Unclear
-    there = [at for at, n in enumerate(start.blocks) if n in figure.blocks]
-    if there != list(range(there[0], there[-1] + 1)):
-        raise Unclear
-    figure.blocks = [start.blocks[at] for at in (there[::-1] if back else there)]
-    figure.told, figure.sided = True, start.sided
 
 
 def has_first(figure: Figure) -> bool:

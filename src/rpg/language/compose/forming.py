@@ -7,8 +7,8 @@ from dataclasses import replace
 from rpg.language.compose.facing import face, one_more
 from rpg.language.compose.lined import stand_in
 from rpg.language.compose.nouns import resolve
-from rpg.language.compose.scene import Ref, Scene, Unclear
-from rpg.language.compose.syntax import Noun, Phrase, Pronoun
+from rpg.language.compose.scene import Fact, Ref, Scene, Unclear
+from rpg.language.compose.syntax import TOWER, Noun, Phrase, Pronoun
 
 
 def forms(scene: Scene, ref: Ref, phrase: Phrase) -> None:
@@ -27,7 +27,11 @@ def forms(scene: Scene, ref: Ref, phrase: Phrase) -> None:
     if ref.kind in {"figure", "mixed"} and len(ref.ids) > 1 and not side:
         stand_in(scene, ref, phrase)
         return
-    if ref.kind != "block" or ref.each or ref.bound or (phrase.noun == "column" and phrase.way):
+    if ref.kind == "block" and ref.bound == "exactly" and phrase == TOWER:  # none of the others is on another
+        scene.facts += [Fact(Ref("block", [n]), "table") for n in ref.rest]
+    elif ref.bound:
+        raise Unclear
+    if ref.kind != "block" or ref.each or (phrase.noun == "column" and phrase.way):
         raise Unclear  # in this order, or in any
     in_order = phrase.ranks == ("left",)
     if in_order and len({scene.blocks[n].look for n in ref.ids}) < len(ref.ids):

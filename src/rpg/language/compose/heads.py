@@ -12,6 +12,7 @@ from rpg.language.compose.syntax import Label, Noun, Phrase
 
 TOLD_BY = frozenset({"block", *SYMBOL})
 """What stands ahead of a symbol: "the cube Q", "the letters A and B"."""
+NAMED = ("labelled", "labeled", "numbered", "marked", "lettered", "bearing the number", "with the letter")
 BOUNDS = [
     (words.split(), bound, more)
     for ways, bound, more in (
@@ -58,10 +59,7 @@ class Heads(Measures):
         color = lexicon.COLOR.get(self.text(start), "")
         start += bool(color)
         said = self.text(start) in TOLD_BY
-        named = start + said
-        named = (
-            self.past_any(named, "labelled", "labeled", "numbered", "bearing the number", "with the letter") or named
-        )
+        named = self.past_any(start + said, *NAMED) or start + said
         if said and (color or self.items[start].many):
             return  # "the green cube 3" may be counted; several are told by `phrase`
         if label := self.label(named):
@@ -97,11 +95,13 @@ class Heads(Measures):
             yield with_color, at + 1
             yield from self._head(at + 1, replace(with_color, many=False))
         if text in RANK:
-            yield from self._head(at + 1, replace(noun, ranks=(*noun.ranks, RANK[text])))
+            behind = at + 1 + (self.text(at + 1) in {"hand", "most"})  # "the right-hand one"
+            yield from self._head(behind, replace(noun, ranks=(*noun.ranks, RANK[text])))
             if noun.det == "the" and (RANK[text] in _ALONE or item.raw.lower() in _UTMOST):
                 yield replace(noun, ranks=(*noun.ranks, RANK[text]), noun="one"), at + 1
         if noun.ranks and not noun.count and item.number > 1 and noun.det == "the":
             yield replace(noun, count=item.number, noun="one"), at + 1  # "the outer two"
+            yield from self._head(at + 1, replace(noun, count=item.number))
         if text in lexicon.ORDINAL and noun.det != "a":
             nth = lexicon.ORDINAL[text]
             yield replace(noun, nth=nth, noun="one"), at + 1

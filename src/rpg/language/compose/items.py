@@ -37,10 +37,11 @@ RANK = {
     "top": "top", "topmost": "top", "upper": "top", "highest": "top", "bottom": "bottom", "lower": "bottom",
     "lowest": "bottom", "middle": "middle", "central": "middle", "center": "middle", "centre": "middle",
     "inner": "middle", "outer": "outer", "tall": "tall", "taller": "tall", "tallest": "tall", "higher": "tall",
-    "big": "tall", "bigger": "tall", "biggest": "tall", "large": "tall", "larger": "tall", "long": "tall",
-    "longer": "tall", "longest": "tall", "short": "short", "shorter": "short", "shortest": "short", "small": "short",
-    "smaller": "short", "smallest": "short", "little": "short", "last": "last", "corner": "corner", "end": "end",
-    "former": "former", "latter": "latter", "hollow": "hollow", "filled": "full", "full": "full",
+    "big": "tall", "bigger": "tall", "biggest": "tall", "large": "tall", "larger": "tall", "largest": "tall",
+    "long": "tall", "longer": "tall", "longest": "tall", "short": "short", "shorter": "short", "shortest": "short",
+    "small": "short", "smaller": "short", "smallest": "short", "little": "short", "last": "last",
+    "corner": "corner", "end": "end", "former": "former", "latter": "latter", "hollow": "hollow",
+    "filled": "full", "full": "full",
 }  # fmt: skip
 IDLE = frozenset({
     "please", "kindly", "simply", "also", "itself", "themselves", "thanks", "thx", "ok", "okay", "well",
@@ -95,7 +96,8 @@ def items_of(tokens: Sequence[Token]) -> list[Item] | None:
             mark = {"(": ",", ")": ",", "-": ",", "–": ",", "—": ",", "&": "and"}.get(word, word)
             if mark == ";" and found and found[-1].text == ".":
                 return None  # a numbered list tells an order
-            found.append(Item(mark, token.raw))
+            if not (mark == "," and found and found[-1].text == ","):  # an idle word stood between two
+                found.append(Item(mark, token.raw))
         else:
             found.append(_word(token, word))
     return found

@@ -106,13 +106,16 @@ class Measures(Text):
             )
 
     def heights(self, at: int) -> tuple[list[int], int]:
-        """ "two, three and four blocks high": the numbers of several, with where that ends."""
+        """ "two, three and four blocks high", "heights two and three": the numbers of several, and where that ends."""
         found: list[int] = []
+        told = self.past_any(at, "heights", "with heights", "of heights", "with heights of", "heights of", "of height")
+        at = told or at
         while self.number(at):
             found.append(self.number(at))
             at = self.past_any(at + 1, "and", ",", ", and") or at + 1
         at += self.text(at) == "block"
-        return (found, at + 1) if len(found) > 1 and self.text(at) in {"high", "tall"} else ([], 0)
+        high = self.text(at) in {"high", "tall"}
+        return (found, at + high) if len(found) > 1 and (high or told) else ([], 0)
 
     def _rising(self, noun: Noun, at: int) -> Iterator[tuple[Noun, int]]:
         """ "one, two and three high from left to right": the steps of a staircase."""

@@ -7,10 +7,11 @@ from itertools import combinations
 
 from rpg.language.compose.chosen import chosen
 from rpg.language.compose.facing import face_each_other
-from rpg.language.compose.figures import ALL, figures_of, has_first, part, within
+from rpg.language.compose.figures import ALL, TOWARD, figures_of, has_first, is_farthest, part, within
 from rpg.language.compose.items import FIGURES, PARTS, SYMBOL_KINDS
 from rpg.language.compose.lined import feet
-from rpg.language.compose.listed import counted_alike, symbols
+from rpg.language.compose.listed import by_worth, counted_alike, symbols
+from rpg.language.compose.others import others, take
 from rpg.language.compose.pronouns import pronoun
 from rpg.language.compose.scene import Patch, Ref, Scene, Unclear
 from rpg.language.compose.syntax import Both, Chain, Label, Listing, Noun, Phrase, Pronoun
@@ -77,6 +78,7 @@ def _both(scene: Scene, phrase: Both) -> Ref:
     if len(set(ids)) < len(ids):
         raise Unclear
     rest = [n for ref in refs for n in ref.rest]
+    scene.here = [ref for ref in scene.here if ref not in refs]  # "it" is none of several that are told together
     return scene.mention(Ref(refs[0].kind, ids, rest, fresh=all(ref.fresh for ref in refs)))
 
 
@@ -102,20 +104,31 @@ def _noun(scene: Scene, noun: Noun) -> Ref:
     if noun.noun not in FIGURES | {"one", "sign"} and (noun.content is not None or noun.size or noun.word):
         raise Unclear
     if noun.det == "other" and noun.noun not in PARTS:
-        return _others(scene, noun)
+        return others(scene, noun)
     of_figure = noun.noun in PARTS or noun.ranks or noun.nth
+    if by_worth(scene, noun):
+        return symbols(scene, noun, resolve)
     if noun.of is None and noun.noun in SYMBOL_KINDS and of_figure:
         return part(scene, noun, resolve)
+    if noun.of == Pronoun("both") and noun.ranks and noun.noun in {"one", "block"}:
+        return of_two(scene, noun)
     if noun.of is not None and of_figure and noun.noun not in FIGURES - {"row", "column"}:
         return part(scene, noun, resolve)
     if noun.of is not None and noun.noun in SYMBOL_KINDS | {"sign"}:
         return symbols(scene, noun, resolve)
-    if noun.of is not None or noun.det == "but":
+    if noun == Noun(noun="one") and scene.whole:
+        return _some_of(scene, Noun(count=1))
+    if noun.of is not None or noun.det == "but" or noun == Noun(count=noun.count, bound=noun.bound):
         return _some_of(scene, noun)
     if noun.noun in {"row", "layer", "column"} and noun.ranks and within(scene):
         return part(scene, noun, resolve)
     if noun.noun == "one" and noun.det in {"a", "another"} and not noun.color and scene.figures:
         return figures_of(scene, noun, resolve)
+    if noun == Noun(det="another", noun="one"):
+        left = [n for n in scene.whole if n not in scene.taken]
+        if not scene.taken or not left or not scene.alike(left):
+            raise Unclear
+        return take(scene, left[:1])
     if noun.noun == "one" and noun.color and noun.det == "the" and not noun.ranks:
         own = [n for n, f in enumerate(scene.figures) if {scene.blocks[b].color for b in f.blocks} == {noun.color}]
         like = [n for n, block in enumerate(scene.blocks) if block.color == noun.color]
@@ -143,80 +156,38 @@ def _by_rank(scene: Scene, noun: Noun) -> Ref:
     if noun.nth and not noun.ranks:
         left = [n for n in scene.whole if n not in scene.taken]
         if scene.whole and noun.nth == len(scene.whole) and len(left) == 1:
-            return _take(scene, left)
+            return take(scene, left)
         raise Unclear
     if noun.ranks == ("last",):
         left = [n for n in scene.whole if n not in scene.taken]
         if len(left) == 1:
-            return _take(scene, left)
+            return take(scene, left)
         raise Unclear
-    towers = [figure for figure in scene.figures if figure.kind == "tower" and not figure.implied]
-    if noun.noun == "one" and 1 < len(towers) == len(scene.figures) and (scene.lines or noun.ranks[0] in _HIGH):
+    if not scene.figures:
+        return of_two(scene, noun)
+    built = [figure for figure in scene.figures if not figure.implied]
+    sides = TOWARD.keys() | _HIGH.keys() if built[:1] and built[0].kind == "tower" else {"near", "far"}
+    same = 1 < len(built) == len(scene.figures) and len({figure.kind for figure in built}) == 1
+    if noun.noun == "one" and same and (scene.lines or noun.ranks[0] in sides):
         ranks = tuple(_HIGH.get(rank, rank) for rank in noun.ranks)
-        return figures_of(scene, replace(noun, noun="tower", ranks=ranks), resolve)
+        return figures_of(scene, replace(noun, noun=built[0].kind, ranks=ranks), resolve)
     return part(scene, noun, resolve)
 
 
-def _take(scene: Scene, ids: list[int]) -> Ref:
-    scene.taken += [n for n in ids if n not in scene.taken]
-    return Ref("block", ids)
-
-
-def _others(scene: Scene, noun: Noun) -> Ref:
-    """Those of the last lot that were not yet told of by themselves, or the other one of two figures or patches."""
-    of_figure = scene.subject is not None and scene.subject[0] == "figure" and noun == Noun("other", noun=noun.noun)
-    if noun.noun in FIGURES or (of_figure and noun.noun in {"", "one"}):
-        spoken = {n for told in (scene.here, scene.before) for ref in told if ref.kind == "figure" for n in ref.ids}
-        if of_figure and scene.subject is not None:
-            spoken = set(scene.subject[1])
-        left = [n for n in range(len(scene.figures)) if n not in spoken]
-        if len(left) != (noun.count or 1) or not spoken:
+def of_two(scene: Scene, noun: Noun) -> Ref:
+    """ "the right-hand one of the two", "the middle one": by where they are told to be."""
+    if noun == Noun(det="the", noun="one", ranks=("middle",)):
+        between = [fact.a for fact in scene.facts if fact.said == "between" and not fact.no]
+        if len(between) != 1:
             raise Unclear
-        return Ref("figure", left)
-    if noun.noun == "patch":
+        return between[0]
+    both = pronoun(scene, "both")
+    if len(both.ids) == 1:
+        return part(scene, replace(noun, of=None), resolve)
+    found = [n for n in both.ids if len(noun.ranks) == 1 and is_farthest(scene, n, both, noun.ranks[0])]
+    if len(found) != 1 or noun.color or noun.many or noun.count or noun.nth or noun.det != "the":
         raise Unclear
-    one = scene.subject if noun == Noun(det="other", noun=noun.noun) and noun.noun in {"", "one"} else None
-    if one is not None and one[0] == "figure" and len(one[1]) == 1 and len(scene.figures) == 2:
-        if scene.taken or scene.instead:
-            raise Unclear
-        return Ref("figure", [1 - one[1][0]])
-    left = [n for n in scene.whole if n not in scene.taken]
-    if noun.ranks or noun.nth or noun.content is not None:
-        raise Unclear
-    if not scene.taken and (apart := _spared(scene) or _left_there(scene)):
-        if noun.count not in {0, len(apart)} or noun.color or not (noun.many or noun.count > 1):
-            raise Unclear
-        return Ref("block", apart)
-    if not scene.taken or not left or (noun.count and noun.count != len(left)):
-        raise Unclear
-    if not noun.count and noun.many != (len(left) > 1):
-        raise Unclear
-    if scene.instead and scene.patches and not noun.noun:
-        raise Unclear  # the other block, or the other patch
-    if noun.color and any(scene.blocks[n].color != noun.color for n in left):
-        raise Unclear
-    return _take(scene, left)
-
-
-def _spared(scene: Scene) -> list[int]:
-    """ "The rest" of the only figure there is, of blocks of which others were spoken of by themselves."""
-    figures = [figure for figure in scene.figures if not figure.implied]
-    if len(figures) != 1:
-        return []
-    plain = [n for n in figures[0].blocks if not scene.blocks[n].color and not scene.blocks[n].label]
-    if 0 < len(plain) < len(figures[0].blocks):
-        return plain  # "the others are white"
-    told = {n for ref in scene.refs("block") for n in ref.ids if len(ref.ids) < len(figures[0].blocks)}
-    return [n for n in figures[0].blocks if n not in told] if told & set(figures[0].blocks) else []
-
-
-def _left_there(scene: Scene) -> list[int]:
-    """ "(Move the top block off,) the other two": those of what is there at the start that this is taken from."""
-    start = [figure for figure in scene.figures if figure.stage < 0]
-    if len(start) != 1 or len(scene.figures) > 1 or scene.subject is None or scene.subject[0] != "block":
-        return []
-    moved = set(scene.subject[1])
-    return [n for n in start[0].blocks if n not in moved] if moved < set(start[0].blocks) else []
+    return Ref(both.kind, found)
 
 
 def _some_of(scene: Scene, noun: Noun) -> Ref:
@@ -224,12 +195,15 @@ def _some_of(scene: Scene, noun: Noun) -> Ref:
     here = list(scene.here)
     if noun.color or noun.ranks or noun.nth or noun.content is not None:
         raise Unclear
+    if noun.det == "any" and not noun.count and not noun.noun:  # "on either of them"
+        noun = replace(noun, det="", count=1)
     if noun.of is None and not scene.whole:
         raise Unclear
     them = Pronoun("both") if noun.det == "both" and noun.of == Pronoun("them") else noun.of
     whole = resolve(scene, them) if them is not None else Ref("block", list(scene.whole))
     scene.here = here  # those that are meant are spoken of, not those that they are some of
-    if whole.kind == "figure" and noun.noun in {"block", "one"}:
+    of_one = noun.of == Pronoun("them") and len(whole.ids) == 1
+    if whole.kind == "figure" and (noun.noun in {"block", "one"} or of_one):
         whole = Ref("block", [n for at in whole.ids for n in scene.figures[at].blocks])
     if whole.fresh and whole.kind == "block" and scene.figures and isinstance(noun.of, Noun) and noun.of.det != "the":
         raise Unclear  # "one of two blocks" may be a figure
@@ -244,9 +218,9 @@ def _some_of(scene: Scene, noun: Noun) -> Ref:
         return Ref(whole.kind, ids, each=noun.det == "each", every=True)
     if noun.det == "no":
         return Ref(whole.kind, ids, no=True, each=True)
-    if whole.kind == "figure" and noun.count and noun.count < len(ids) and noun.bound in {"", "exactly"}:
-        return _some_figures(scene, ids, noun)
     count = len(ids) // 2 if noun.det == "half" else len(ids) - noun.count if noun.det == "but" else noun.count
+    if whole.kind == "figure" and 0 < count < len(ids) and noun.bound in {"", "exactly"} and noun.det != "half":
+        return _some_figures(scene, ids, count, "exactly" if noun.det == "but" else noun.bound)
     if whole.kind != "block" or count < 1 or count > len(ids) or (noun.det == "half" and len(ids) % 2):
         raise Unclear
     if noun.bound == "most" or (not scene.alike(ids) and (noun.bound == "least" or noun.det)):
@@ -269,17 +243,17 @@ def _some_of(scene: Scene, noun: Noun) -> Ref:
             raise Unclear
         chosen = [left[scene.choose(len(left))]]  # each is at another place
     rest = [n for n in ids if n not in chosen] if noun.bound != "least" else []
-    return replace(_take(scene, chosen), rest=rest, bound=noun.bound)
+    return replace(take(scene, chosen), rest=rest, bound=noun.bound)
 
 
-def _some_figures(scene: Scene, ids: list[int], noun: Noun) -> Ref:
+def _some_figures(scene: Scene, ids: list[int], count: int, bound: str) -> Ref:
     """So many of figures that look alike, and of which nothing was said yet."""
     figures = [scene.figures[n] for n in ids]
     looks = {(f.kind, f.size, tuple(scene.blocks[n].look[:2] for n in f.blocks)) for f in figures}
     blocks = scene.told_of("block")
     if len(looks) > 1 or scene.told_of("figure") & set(ids) or any(blocks & set(figure.blocks) for figure in figures):
         raise Unclear
-    return Ref("figure", ids[: noun.count], ids[noun.count :], bound=noun.bound)
+    return Ref("figure", ids[:count], ids[count:], bound=bound)
 
 
 def _patch(scene: Scene, noun: Noun) -> Ref:
@@ -315,7 +289,7 @@ def _blocks(scene: Scene, noun: Noun) -> Ref:
         raise Unclear
     if not like and definite and noun.det and not noun.noun:
         raise Unclear  # "the red" may be a patch
-    if not like and definite and noun.noun == "one" and (scene.figures or scene.patches or not scene.blocks):
+    if not like and definite and noun.noun == "one" and (scene.patches or not _told_as_block(scene)):
         raise Unclear  # the red one of what?
     if noun.noun == "one" and not definite and ((like and noun.det != "another") or not _told_as_block(scene)):
         raise Unclear
@@ -340,12 +314,12 @@ def _blocks(scene: Scene, noun: Noun) -> Ref:
             raise Unclear
         if scene.whole != stock:
             scene.whole, scene.taken = list(stock), []
-        return replace(_take(scene, left[:count]), fresh=True)
+        return replace(take(scene, left[:count]), fresh=True)
     if noun.det == "another" and like:
         left = [n for n in scene.whole if n not in scene.taken]
         if not scene.taken or not left or left[0] not in like:
             raise Unclear
-        return replace(_take(scene, left[:count]), fresh=True)
+        return replace(take(scene, left[:count]), fresh=True)
     if not noun.color and any(not block.color and not block.label for block in scene.blocks):
         raise Unclear
     ids = scene.new_blocks(count, noun.color)
@@ -355,7 +329,15 @@ def _blocks(scene: Scene, noun: Noun) -> Ref:
 def _told_as_block(scene: Scene) -> bool:
     """Whether "a green one" is a block: what was told of last is one, not a figure."""
     told = scene.here or [ref for ref in scene.before if ref.fresh]
-    return bool(told) and told[-1].kind == "block" and (bool(scene.here) or all(ref.kind == "block" for ref in told))
+    lots = [set(ref.ids) for ref in told if ref.kind == "block"]
+    blocks = [ref.kind == "block" or (ref.kind == "figure" and _has_no_color(scene, ref, lots)) for ref in told]
+    return bool(told) and blocks[-1] and (bool(scene.here) or all(blocks))
+
+
+def _has_no_color(scene: Scene, ref: Ref, lots: list[set[int]]) -> bool:
+    """Whether a figure is formed by blocks that were told by themselves, or shows symbols alone."""
+    own = [n for at in ref.ids for n in scene.figures[at].blocks]
+    return set(own) in lots or all(scene.blocks[n].label for n in own)
 
 
 def _in_stock(scene: Scene, color: str) -> list[int]:

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from rpg.language import lexicon
 from rpg.language.compose.contents import Contents
-from rpg.language.compose.heads import RELATIONS, TOLD_BY
+from rpg.language.compose.heads import NAMED, RELATIONS, TOLD_BY
 from rpg.language.compose.items import FIGURES, PARTS, RANK, SYMBOL, SYMBOL_KINDS, shows
 from rpg.language.compose.syntax import (
     Bears,
@@ -22,6 +22,7 @@ from rpg.language.compose.syntax import (
     Predicate,
     Pronoun,
     counted,
+    is_figure,
 )
 from rpg.language.compose.words import Ways, remembered
 
@@ -47,9 +48,10 @@ class Phrases(Contents):
         """One noun phrase, or several joined by commas and "and"."""
         found: Ways[Phrase] = []
         many = at + (self.text(at) == "the")
-        if self.text(many) in TOLD_BY and self.items[many].many and self.label(many + 1):
+        named = self.past_any(many + 1, *NAMED) or many + 1
+        if self.text(many) in TOLD_BY and self.items[many].many and self.label(named):
             kind = SYMBOL.get(self.text(many), "")
-            found += [(both, end) for both, end in self.phrase(many + 1) if _labelled(both, kind)]
+            found += [(both, end) for both, end in self.phrase(named) if _labelled(both, kind)]
         found += self.series(at)
         for part, end in self.single(at):
             found.append((part, end))
@@ -58,7 +60,10 @@ class Phrases(Contents):
                 (Both(_headed((part, *rest)), either=True), stop) for rest, stop in self._joined(end, "or", ", or")
             ]
         if self.text(at) == "both" and "not" not in (item.text for item in self.items[max(0, at - 6) : at]):
-            found += [way for way in self.phrase(at + 1) if isinstance(way[0], Both) and len(way[0].parts) == 2]
+            for pair, end in self.phrase(at + 1):
+                if isinstance(pair, Both) and len(pair.parts) == 2:
+                    again = any(isinstance(part, Noun) and part.det == "both" for part in pair.parts)
+                    found += [] if again else [(pair, end)]  # "both orange and both white blocks" are four
         if either := self.past_any(at, "either", "either one of", "one of"):
             found += [way for way in self.phrase(either) if isinstance(way[0], Both) and way[0].either]
         return found
@@ -90,6 +95,8 @@ class Phrases(Contents):
         found: Ways[Phrase] = list(self._labels(at))
         if one := self.past_any(at, "that one", "this one"):
             found.append((Pronoun("that one"), one))
+        if two := self.past_any(at, "the two", "those two", "these two"):
+            found.append((Pronoun("both"), two))
         if self.text(at) in _PRONOUNS:
             found.append((Pronoun(self.text(at)), at + 1))
         found += self._sign(at)
@@ -191,6 +198,8 @@ class Phrases(Contents):
         if self.past_any(at, "all but", "all except") and (left_out := self.number(at + 2)):
             ways.append((Noun(det="but", count=left_out), at + 3))
             yield Noun(det="but", count=left_out), at + 3
+        if but := self.past_any(at, "all but", "all except", "each but", "every one but"):
+            yield from self._all_but(but)
         if self.text(at) == "half":
             ways.append((Noun(det="half"), at + 1))
         for some, end in ways:
@@ -200,6 +209,12 @@ class Phrases(Contents):
                 yield from ((replace(some, of=whole), stop) for whole, stop in told)
             elif some.det in {"all", "both"}:
                 yield from ((replace(some, of=whole), stop) for whole, stop in self._noun(end))
+
+    def _all_but(self, at: int) -> Iterator[tuple[Phrase, int]]:
+        """ "(all but) the middle block of the row": each of its blocks but this."""
+        for part, end in self._simple(at):
+            if isinstance(part, Noun) and part.of is not None and (part.ranks or part.nth):
+                yield Noun(det="each", noun="block", of=part.of, but=replace(part, of=None)), end
 
     def _others(self, at: int) -> Iterator[tuple[Phrase, int]]:
         """ "the other two", "the rest", "the remaining blocks", "the third one", "the other tower"."""
@@ -251,10 +266,14 @@ class Phrases(Contents):
             found += self._behind(Noun(det="another", noun="one"), at + 1)
         for start, end in list(starts):
             for amount, stop in self._amount(end):
+                if not start.det and amount.count > 1:
+                    found.append((amount, stop))  # "put two on the mat"
                 if not start.det or not amount.bound:
                     starts.append((replace(amount, det=start.det), stop))
         for start, end in starts:
             found += self.told_apart(start, end)
+            if start.det == "the" and start.count > 1:
+                found += self._at_a_part(replace(start, noun="one", many=True), end)  # "the two in the middle"
             for noun, stop in self._head(end, start):
                 found += self._behind(noun, stop)
         return found
@@ -273,6 +292,8 @@ class Phrases(Contents):
             found += [*figures[1:], *(way for figure, end in figures for way in self.ordered(figure, end))]
             plain = [(one, end) for one, end in figures if one.content is None or counted(one.content)]
             found += [way for figure, end in plain for way in self.one_by_one(figure, end)]
+            if noun.noun in {"row", "column"} and noun.det == "the" and (noun.ranks or noun.nth):
+                found += [(replace(noun, of=whole), stop) for whole, stop in self._whole(at) if is_figure(whole)]
         elif noun.noun != "table":
             found += self.told_apart(noun, at)
             found += [(replace(noun, of=whole), stop) for whole, stop in self._whole(at)]
@@ -286,7 +307,10 @@ class Phrases(Contents):
         apart = at + (self.text(at) == ",")
         of_each = self.text(apart) in {"each", "both"} or self.text(apart + 2) == "both"
         made = "of" if self.text(at) in {"of", ",", ":"} else "from"
+        made = "from the" if made == "from" and self.text(at + 1) == "the" else made
         for of, stop in self._content(at):
+            if noun.noun == "staircase" and isinstance(of, Noun) and of.noun == "tower":
+                of = replace(of, noun="block")  # stacks of such blocks are its steps
             if isinstance(of, Chain | Listing) and not (noun.det or noun.count or noun.many):
                 continue  # "stack red on blue" is no stack that is spoken of
             each = stop + 1 if self.text(stop) == "each" else stop
@@ -320,7 +344,9 @@ class Phrases(Contents):
     def _whole(self, at: int) -> Ways[Phrase]:
         """ "of the row", "of it": what something is a part of."""
         end = self.past_any(at, "of", "in", "from")
-        return self._simple(end) if end else []
+        if not end:
+            return []
+        return [*self._simple(end), *((told, stop) for told, stop in self.phrase(end) if _labelled(told, ""))]
 
     def _counted_from(self, noun: Noun, at: int) -> Ways[Phrase]:
         """ "the second block from the left"."""

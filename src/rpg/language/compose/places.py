@@ -34,6 +34,8 @@ _BARE: dict[str, tuple[str, ...]] = {
         "in any order you like",
         "in no particular order",
         "in whichever order",
+        "each in any order",
+        "both in any order",
     ),
     "in turn": ("one behind the other", "one behind another"),
     "alone": ("alone", "by themselves", "on their own", "on its own"),

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 from rpg.language.compose.scene import Ref, Scene, Unclear
+from rpg.language.compose.syntax import Place, Pronoun
+
+_OPPOSITE = {"left": "right", "right": "left", "front": "behind", "behind": "front"}
 
 
 def pronoun(scene: Scene, word: str) -> Ref:
@@ -26,11 +30,13 @@ def pronoun(scene: Scene, word: str) -> Ref:
         fits = [ref for ref in spoken if (len(ref.ids) > 1) == many and ref.kind != "table"]
         fits = [ref for ref in fits if not _is_subject(scene, ref)]
         if word == "both":
-            fits = [ref for ref in fits if len(ref.ids) == 2]
+            fits = [ref for ref in fits if len(ref.ids) == 2] or _pair(scene, spoken)
         if many and not fits and spoken is scene.before and len(scene.figures) > 1:
             if any(figure.implied for figure in scene.figures) or (word == "both" and len(scene.figures) > 2):
                 raise Unclear
             fits = [Ref("figure", list(range(len(scene.figures))))]
+        if many and not fits:
+            fits = _one_of_several(scene, spoken)
         if not fits:
             continue
         first = fits[0] if len({(ref.kind, tuple(ref.ids)) for ref in fits}) == 1 else None
@@ -55,9 +61,40 @@ def _of_each_of_them(scene: Scene) -> Ref:
     return Ref("figure", [0, 1], each=True)
 
 
+def _others(scene: Scene, spoken: Sequence[Ref]) -> list[Ref]:
+    """What was spoken of, each thing once, without what something is being said of."""
+    others = [ref for ref in spoken if not _is_subject(scene, ref)]
+    return list({(ref.kind, tuple(ref.ids)): ref for ref in others}.values())
+
+
+def _pair(scene: Scene, spoken: Sequence[Ref]) -> list[Ref]:
+    """Two things that were told one by one, and nothing else."""
+    others = _others(scene, spoken)
+    kinds = {ref.kind for ref in others}
+    if len(others) != 2 or len(kinds) > 1 or any(len(ref.ids) != 1 or ref.either for ref in others):
+        return []
+    return [Ref(kinds.pop(), [n for ref in others for n in ref.ids])]
+
+
+def _one_of_several(scene: Scene, spoken: Sequence[Ref]) -> list[Ref]:
+    """The only figure that was spoken of, if it was told of how many blocks it is: "they" are these."""
+    others = _others(scene, spoken)
+    return [ref for ref in others if len(others) == 1 and ref.kind == "figure" and scene.figures[ref.ids[0]].counted]
+
+
+def landmark(scene: Scene, said: Place) -> Ref | None:
+    """What "it" is, where things are told around one: "C goes left of D, A right of it and B on it"."""
+    if scene.around is None or said.of != Pronoun("it") or _others(scene, scene.here):
+        return None
+    relation, target, by_it = scene.around
+    other_side = _OPPOSITE.get(relation) == said.relation
+    return target if other_side or (by_it and relation != said.relation) else None
+
+
 def _is_member(scene: Scene, block: int) -> bool:
-    """Whether a block was told as one of a figure: "it" may be either."""
-    return any(block in f.blocks and not f.implied for f in scene.figures)
+    """Whether a block was told as one of a figure: "it" may be either, unless it is said of one of them."""
+    own = set(scene.subject[1]) if scene.subject is not None and scene.subject[0] == "block" else set()
+    return any(block in f.blocks and not f.implied and not own & set(f.blocks) for f in scene.figures)
 
 
 def _is_subject(scene: Scene, ref: Ref) -> bool:

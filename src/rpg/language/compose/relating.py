@@ -5,9 +5,10 @@ from __future__ import annotations
 from dataclasses import replace
 from itertools import combinations
 
-from rpg.language.compose.figures import put_in_order, whole_figures
+from rpg.language.compose.figures import whole_figures
 from rpg.language.compose.lined import rise
 from rpg.language.compose.nouns import resolve
+from rpg.language.compose.ordering import put_in_order
 from rpg.language.compose.places_of import places, steps
 from rpg.language.compose.scene import SIDES, Fact, Figure, Ref, Scene, Unclear
 from rpg.language.compose.syntax import Both, Noun, Phrase, Place
@@ -116,6 +117,8 @@ def at_part(scene: Scene, ref: Ref, part: Noun, *, no: bool) -> None:
     elif len(ref.ids) == 1 and (len(at) == 1 or part.det in {"a", "any"}):
         _put_there(scene, figure, ref.ids[0], at[scene.choose(len(at))])
         figure.sided |= bool({"left", "right"} & set(part.ranks)) or len(at) > 1
+        if set(figure.blocks) <= scene.spare:
+            raise Unclear  # "with the smallest number on top": that one, or all of them in order
         figure.free |= not scene.alike([n for n in figure.blocks if n not in figure.placed.values()] or figure.blocks)
     else:
         raise Unclear
@@ -224,8 +227,23 @@ def place(scene: Scene, ref: Ref, target: Ref, said: Place) -> None:
         on(scene, target, ref, "on", no=said.no)
     elif name == "on":
         on(scene, ref, target, "somewhere above" if said.how == "somewhere" else "on", no=said.no)
-    else:
+    elif not _in_row(scene, ref, target, said):
         _beside(scene, ref, target, said)
+
+
+def _in_row(scene: Scene, ref: Ref, target: Ref, said: Place) -> bool:
+    """ "(A, B and C in a row, B in the middle,) A to the left of it": at the only place for it in the row."""
+    figure = scene.figure_of(ref.ids[0]) if ref.kind == target.kind == "block" and len(ref.ids) == 1 else None
+    if figure is None or figure.kind not in {"row", "line"} or figure.told or said.relation not in {"left", "right"}:
+        return False
+    of = [at for at, block in figure.placed.items() if [block] == target.ids]
+    beyond = range(of[0]) if of and said.relation == "left" else range(of[0] + 1, len(figure.blocks)) if of else ()
+    free = [at for at in beyond if figure.placed.get(at, ref.ids[0]) == ref.ids[0]]
+    if len(free) != 1 or said.no:
+        return False
+    _put_there(scene, figure, ref.ids[0], free[0])
+    figure.sided = True
+    return True
 
 
 def _on_patch(scene: Scene, ref: Ref, target: Ref, *, no: bool) -> None:
@@ -269,6 +287,9 @@ def on(scene: Scene, ref: Ref, target: Ref, word: str, *, no: bool) -> None:
             upper.append(scene.at(scene.figures[at], 0))
     if ref.kind == "block" and any(f.kind == "word" and set(ref.ids) & set(f.blocks) for f in scene.figures):
         raise Unclear
+    if ref.bound == "exactly" and len(target.ids) == 1 and word == "on" and not no:
+        scene.facts += [Fact(Ref("block", [n]), word, target, no=True) for n in ref.rest]
+        ref = replace(ref, bound="")
     if target.kind != "block" or ref.bound in {"exactly", "most", "least"} or len(upper) != len(target.ids):
         raise Unclear
     if no and len(upper) > 1:
@@ -308,7 +329,7 @@ def _beside(scene: Scene, ref: Ref, target: Ref, said: Place) -> None:
         target = replace(target, each=False)
     if target.each or (several and said.relation in {"apart", "far", "near"}) or (several and said.no):
         others = [Ref(target.kind, [n]) for n in target.ids]
-    if several and said.relation == "touch" and not said.no:
+    if several and not said.no and (said.relation == "touch" or target.kind == "figure"):
         others = [Ref(target.kind, [n]) for n in target.ids]
     for a in some:
         for b in others:

@@ -108,12 +108,14 @@ class Scene:
     """All that is told of, and what was spoken of last.
 
     `stock`: lots that the text says there are; `whole` is the lot of which some were told apart last, `taken` those.
-    `subject` is what something is being said of, `place` the one of a figure that was told last; `placed` are figures
+    `subject` is what something is being said of, `place` the one of a figure that was told last, `around`
+    what the clause ahead puts something at: in which relation, and whether it was told as "it"; `placed` are figures
     that are put somewhere, so that it is no part of them that they are put at.
     `pending`: blocks that lie somewhere on others, and it has still to be said on which of them. `lines`: towers that
     stand in a row; `facing`: figures told by their sides, as "the left tower" and "the right one". `instead`: what
-    "or" tells besides what was taken. `script`: which of several ways to have it are taken, one after the other;
-    `choices`: of how many each was one.
+    "or" tells besides what was taken; `spare`: of these some were singled out, so that nothing need be said of the
+    others. `script`: which of several ways to have it are taken, one after the other; `choices`: of how many each was
+    one.
     """
 
     blocks: list[Block] = field(default_factory=list)
@@ -133,10 +135,12 @@ class Scene:
     subject: tuple[str, list[int]] | None = None
     place: tuple[Figure, int] | None = None
     placed: list[int] = field(default_factory=list)
+    around: tuple[str, Ref, bool] | None = None
     pending: list[tuple[list[int], list[int]]] = field(default_factory=list)
     lines: list[list[int]] = field(default_factory=list)
     facing: dict[str, int] = field(default_factory=dict)
     instead: list[Ref] = field(default_factory=list)
+    spare: set[int] = field(default_factory=set)
     script: tuple[int, ...] = ()
     choices: list[int] = field(default_factory=list)
 

@@ -8,9 +8,10 @@ from dataclasses import replace
 from rpg.language import lexicon
 from rpg.language.compose.heads import Heads
 from rpg.language.compose.items import FIGURE, PATCH, RANK
-from rpg.language.compose.syntax import Both, Label, Noun, Phrase
+from rpg.language.compose.syntax import Both, Clause, Label, Noun, Phrase, Place
 
 _MOST = 10
+_COUNTING = ("counting from the", "counted from the", "counting from", "count from the", "count from", "from the")
 
 
 class Series(Heads):
@@ -48,14 +49,22 @@ class Series(Heads):
 
     def counting(self, at: int) -> Iterator[tuple[str, int]]:
         """ "counting from the left,": from where the places are counted that the clause tells of."""
-        end = self.past_any(at, "counting from the", "counted from the", "counting from", "from the")
+        end = self.past_any(at, *_COUNTING)
         side = RANK.get(self.text(end), "") if end else ""
-        if side in {"left", "right", "top", "bottom"} and self.text(end + 1) == ",":
-            yield side, end + 2
+        if side in {"left", "right", "top", "bottom"} and (begin := self.past_any(end + 1, ",", ", and", "and")):
+            yield side, begin
 
 
-def counted(phrase: Phrase, side: str) -> Phrase:
-    """ "the second and the fourth", counted from a side."""
+def counted(clause: Clause, side: str) -> Clause:
+    """ "The second and the fourth carry a block", "put a block on the third": counted from a side."""
+    said = [
+        replace(one, of=_counted(one.of, side)) if isinstance(one, Place) and one.of is not None else one
+        for one in clause.predicates
+    ]
+    return replace(clause, subject=_counted(clause.subject, side), predicates=tuple(said))
+
+
+def _counted(phrase: Phrase, side: str) -> Phrase:
     if isinstance(phrase, Both):
-        return replace(phrase, parts=tuple(counted(part, side) for part in phrase.parts))
+        return replace(phrase, parts=tuple(_counted(part, side) for part in phrase.parts))
     return replace(phrase, ranks=(side,)) if isinstance(phrase, Noun) and phrase.nth and not phrase.ranks else phrase

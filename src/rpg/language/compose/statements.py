@@ -11,14 +11,16 @@ from itertools import pairwise, permutations
 from rpg.language.compose.forming import forms
 from rpg.language.compose.items import PARTS
 from rpg.language.compose.nouns import resolve
+from rpg.language.compose.one_each import each_of_a_new_one, one_by_one, one_for_each
+from rpg.language.compose.pronouns import landmark
 from rpg.language.compose.relating import at_part, bare, between, in_region, on, place, tops_of
-from rpg.language.compose.scene import SIDES, Fact, Ref, Scene, Unclear
+from rpg.language.compose.scene import Fact, Impossible, Ref, Scene, Unclear
 from rpg.language.compose.subjects import check_said, check_subject, one_of_it, there_is, told_of_figures
 from rpg.language.compose.syntax import (
     STAY,
     TOWER,
+    Among,
     Bears,
-    Both,
     Chain,
     Clause,
     Either,
@@ -121,7 +123,23 @@ def _introduced(scene: Scene, ways: Sequence[Callable[[Scene], None]]) -> int:
     return len(scene.blocks)
 
 
+def _narrow(scene: Scene, clause: Clause, said: Among) -> None:
+    """ "(One of A, B and C,) but not B": leaves those ways to have what was said ahead in which this is so."""
+    known, taken = len(scene.blocks), set(scene.taken)
+    if not any(ref.kind == "block" and set(ref.ids) == taken for ref in scene.before) or not taken < set(scene.whole):
+        raise Unclear
+    them = resolve(scene, clause.subject)
+    if them.kind != "block" or len(scene.blocks) > known or not set(them.ids) <= set(scene.whole):
+        raise Unclear
+    if (set(them.ids) <= taken) == said.no:
+        raise Impossible
+    scene.here, scene.spare = list(scene.before), scene.spare | set(scene.whole)
+
+
 def _say(scene: Scene, clause: Clause) -> None:
+    if isinstance(among := clause.predicates[0] if clause.predicates else None, Among):
+        _narrow(scene, clause, among)
+        return
     clause = told_of_figures(scene, clause)
     subject = clause.subject
     if isinstance(subject, Chain):
@@ -137,11 +155,11 @@ def _say(scene: Scene, clause: Clause) -> None:
         and not subject.color
         and not subject.ranks
     ):
-        _one_by_one(scene, subject, clause.predicates)
+        one_by_one(scene, subject, clause.predicates)
         return
     own = one_of_it(scene, clause)
-    if own is None and _each_of_a_new_one(subject, clause.predicates):
-        _one_for_each(scene, subject, clause.predicates[0])
+    if own is None and each_of_a_new_one(subject, clause.predicates):
+        one_for_each(scene, subject, clause.predicates[0])
         return
     if clause.mood != "may" and _is_at(scene, subject, clause.predicates):
         return
@@ -166,6 +184,7 @@ def _say(scene: Scene, clause: Clause) -> None:
         if isinstance(said, Made) and ref.kind == "block" and scene.figures[-1].kind == "tower":
             ref = Ref("figure", [len(scene.figures) - 1])  # what is said next is said of the tower
     scene.subject = None
+    scene.around = scene.around if clause.mood else None  # behind "next to it a red block" that is spoken of first
     scene.place_barred()
     if clause.predicates and ref.kind == "block":
         scene.used.update(ref.ids)
@@ -202,6 +221,8 @@ def _stacked(scene: Scene, chain: Chain) -> None:
     lowest = chain.parts[-1]
     if scene.patches and isinstance(lowest, Noun) and not lowest.noun:
         raise Unclear  # a block or a patch of that colour
+    if any(isinstance(part, Pronoun) for part in chain.parts):
+        raise Unclear  # a place, not a tower that is told
     refs = [resolve(scene, part) for part in chain.parts]
     if any(ref.kind != "block" or len(ref.ids) != 1 for ref in refs):
         raise Unclear
@@ -209,57 +230,6 @@ def _stacked(scene: Scene, chain: Chain) -> None:
         on(scene, upper, lower, "on", no=False)
     for ref in refs:
         scene.used.update(ref.ids)
-
-
-def _one_by_one(scene: Scene, subject: Noun, said: Sequence[Predicate]) -> None:
-    """ "one on each end": where those are that lie somewhere on the figure told before."""
-    upper, lower = scene.pending.pop()
-    if (
-        subject.noun not in {"", "one", "block"}
-        or len(said) != 1
-        or not isinstance(said[0], Place)
-        or said[0].of is None
-    ):
-        raise Unclear
-    target = resolve(scene, said[0].of)
-    if (
-        said[0].relation != "on"
-        or said[0].no
-        or target.kind != "block"
-        or not target.each
-        or not set(target.ids) <= set(lower)
-    ):
-        raise Unclear
-    scene.used -= set(upper)
-    on(scene, Ref("block", upper), Ref("block", target.ids), "on", no=False)
-
-
-def _each_of_a_new_one(subject: Phrase, said: Sequence[Predicate]) -> bool:
-    """Whether there is a further one for each of those that it is put on."""
-    if len(said) != 1 or not isinstance(said[0], Place) or said[0].no:
-        return False
-    target = said[0].of
-    if isinstance(target, Both) and all(isinstance(part, Noun) and (part.nth or part.ranks) for part in target.parts):
-        target = Noun(det="both")  # "on the second and the fourth"
-    if not isinstance(subject, Noun) or not isinstance(target, Noun) or target.det not in {"each", "both", "all"}:
-        return False
-    several = any_number(subject)
-    one = subject.det in {"a", "another"} or (not subject.det and subject.count == 1 and not subject.bound)
-    return several or (one and not subject.of and not subject.many and subject.count < 2)
-
-
-def _one_for_each(scene: Scene, subject: Phrase, said: Predicate) -> None:
-    """ "a white block on each end": as many white blocks as there are ends."""
-    assert isinstance(said, Place) and said.of is not None and isinstance(subject, Noun)
-    target = resolve(scene, said.of)
-    if said.relation not in {"on", "next", *SIDES} or target.no or target.bound or on_an_end(said):
-        raise Unclear
-    for n in target.ids:
-        one = resolve(scene, replace(subject, det="a", many=False, count=0))
-        if not one.fresh:
-            raise Unclear
-        place(scene, one, Ref(target.kind, [n]), said)
-        scene.used.update(one.ids)
 
 
 def _said(scene: Scene, ref: Ref, said: Predicate) -> None:
@@ -296,31 +266,40 @@ def _said(scene: Scene, ref: Ref, said: Predicate) -> None:
         _looks(scene, ref, said.like)
     elif isinstance(said, Bears):
         _bears(scene, ref, said)
-    elif isinstance(said, Holds | Holding | NotBoth):
+    elif isinstance(said, Among | Holds | Holding | NotBoth):
         raise Unclear
     elif said.relation == "region":
         in_region(scene, ref, said)
     elif said.of is None:
         bare(scene, ref, said)
     else:
-        of = said.of
-        if said.relation == "in" and isinstance(of, Noun) and of.noun in PARTS and ref.kind == "block":
-            at_part(scene, ref, of, no=said.no)
-            return
-        if said.relation == "between":
-            between(scene, ref, of, said)
-            return
-        if isinstance(of, Noun) and of.det == "another":
-            raise Unclear
-        scene.placed = ref.ids if ref.kind == "figure" else []
-        target = resolve(scene, of)
-        scene.placed = []
-        if target.either and (said.no or len(ref.ids) > 1 or ref.each):
-            raise Unclear  # on none of them, or not on one; all on one, or some on each
-        named = isinstance(of, Noun) and of.det == "the" and not of.many
-        if target.fresh and not named and target.kind == "block" and (ref.each or len(ref.ids) > len(target.ids)):
-            raise Unclear  # one for each, or one for all
-        place(scene, ref, target, said)
+        _placed(scene, ref, said)
+
+
+def _placed(scene: Scene, ref: Ref, said: Place) -> None:
+    """It is somewhere to something else."""
+    of = said.of
+    assert of is not None
+    if said.relation == "in" and isinstance(of, Noun) and of.noun in PARTS and ref.kind == "block":
+        at_part(scene, ref, of, no=said.no)
+        return
+    if said.relation == "between":
+        between(scene, ref, of, said)
+        return
+    if isinstance(of, Noun) and of.det == "another":
+        raise Unclear
+    around, scene.around = landmark(scene, said), None
+    scene.placed = ref.ids if ref.kind == "figure" else []
+    target = scene.mention(around) if around else resolve(scene, of)
+    scene.placed = []
+    if len(target.ids) == 1:
+        scene.around = (said.relation, target, of == Pronoun("it"))
+    if target.either and (said.no or len(ref.ids) > 1 or ref.each):
+        raise Unclear  # on none of them, or not on one; all on one, or some on each
+    named = isinstance(of, Noun) and of.det == "the" and not of.many
+    if target.fresh and not named and target.kind == "block" and (ref.each or len(ref.ids) > len(target.ids)):
+        raise Unclear  # one for each, or one for all
+    place(scene, ref, target, said)
 
 
 def _looks(scene: Scene, ref: Ref, like: Phrase) -> None:

@@ -8,6 +8,7 @@ from rpg.language.compose.figures import ALL
 from rpg.language.compose.items import FIGURES
 from rpg.language.compose.scene import SIDES, Ref, Scene, Unclear
 from rpg.language.compose.syntax import (
+    Bears,
     Both,
     Chain,
     Clause,
@@ -80,8 +81,9 @@ def check_subject(scene: Scene, clause: Clause, ref: Ref) -> None:
         denied = any(isinstance(said, Place) and said.no for said in clause.predicates)
         if denied and subject.det in {"a", "another", ""} and not subject.of and like > 1:
             raise Unclear  # of one of them, or of none
+        bears = all(isinstance(said, Bears) for said in clause.predicates)
         built = [f for f in scene.figures if not f.implied and f.stage == scene.stage]
-        moved = clause.mood == "put" and bool(subject.ranks or subject.of)
+        moved = clause.mood == "put" and bool(subject.ranks or subject.of) and not bears
         if moved and any(set(ref.ids) & set(f.blocks) for f in built):
             raise Unclear  # what it is taken from is there already
     if not clause.mood and clause.predicates and len(ref.ids) > 1 and scene.figures and ref.fresh:
@@ -91,6 +93,9 @@ def check_subject(scene: Scene, clause: Clause, ref: Ref) -> None:
 def there_is(scene: Scene, ref: Ref, mood: str) -> None:
     """Blocks that are told of by themselves are those that the rest of the text is about."""
     if (ref.kind == "patch" and mood == "there") or ref.kind == "mixed":
+        return
+    if mood == "in" and ref.kind == "block" and all(scene.blocks[n].label for n in ref.ids) and not scene.whole:
+        scene.whole, scene.taken = list(ref.ids), []
         return
     if not ref.fresh or ref.kind not in {"block", "figure"}:
         raise Unclear

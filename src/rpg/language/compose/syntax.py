@@ -155,10 +155,17 @@ class NotBoth:
     """Of two that "or" joins, the other one is not there."""
 
 
+@dataclass(frozen=True, slots=True)
+class Among:
+    """Whether these are among those that were taken of several: "one of them must be the C", "but not both"."""
+
+    no: bool = False
+
+
 TOWER = Noun(det="a", noun="tower")
 STAY = Place("stay")
 """What is said of things that stay where they are."""
-Predicate = Shares | NotBoth | Place | Made | Looks | Bears | Holds | Holding | Either
+Predicate = Among | Shares | NotBoth | Place | Made | Looks | Bears | Holds | Holding | Either
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Iterable, Sequence
 
 from rpg.blocks.nouns import article, join, number
 from rpg.language import lexicon
@@ -22,9 +23,10 @@ def tell_all(scenes: Sequence[Scene]) -> tuple[str, list[str]]:
     if not any(scene.facts or scene.figures for scene in scenes):
         raise Unclear
     _check_told_of(scenes)
+    told = set[int]().union(*map(_told, scenes))
     if len(scenes) == 1:
-        return (text := " ".join(tell(scenes[0]))), [text]
-    ways = list({tuple(tell(scene)): None for scene in scenes})
+        return (text := " ".join(tell(scenes[0], told))), [text]
+    ways = list({tuple(tell(scene, told)): None for scene in scenes})
     if len({way[0] for way in ways}) > 1 or any(scene.stage for scene in scenes):
         raise Unclear
     common = [said for said in ways[0] if all(said in way for way in ways)]
@@ -35,8 +37,13 @@ def tell_all(scenes: Sequence[Scene]) -> tuple[str, list[str]]:
     return " ".join([*common, either]), [" ".join(way) for way in ways]
 
 
-def tell(scene: Scene) -> list[str]:
-    """All that a scene has, block by block, figure by figure, fact by fact."""
+def _told(scene: Scene) -> set[int]:
+    """The blocks of which something is told."""
+    return scene.told_of("block").union(*(figure.blocks for figure in scene.figures))
+
+
+def tell(scene: Scene, told_of: set[int]) -> list[str]:
+    """All that a scene has, block by block, figure by figure, fact by fact; nothing is said but of those `told_of`."""
     if scene.pending:
         raise Unclear
     if not scene.blocks or len(scene.blocks) > _MOST or not (scene.facts or scene.figures):
@@ -46,7 +53,7 @@ def tell(scene: Scene) -> list[str]:
     figures = [figure for figure in scene.figures if not figure.implied]
     last = max((*(figure.stage for figure in figures), *(fact.stage for fact in scene.facts)), default=0)
     told = {stage: _of_stage(scene, figures, stage) for stage in range(-1, last + 1)}
-    said = [_assets(scene), *(f"At the start, {_small(sentence)}" for sentence in told[-1])]
+    said = [_assets(scene, told_of), *(f"At the start, {_small(sentence)}" for sentence in told[-1])]
     if last > 0:
         _check_moved_once(scene)
         if not all(told[stage] for stage in range(last + 1)):
@@ -93,11 +100,10 @@ def _color_in(scene: Scene) -> None:
 
 def _check_told_of(scenes: Sequence[Scene]) -> None:
     """Of every block something has to be said, unless it is one of a lot of which something is."""
-    told = {n for scene in scenes for figure in scene.figures for n in figure.blocks}
-    told = told.union(*(scene.told_of("block") for scene in scenes))
-    blocks = scenes[0].blocks
+    told, blocks = set[int]().union(*map(_told, scenes)), scenes[0].blocks
     looks = {blocks[n].look for n in told if n < len(blocks)}
-    if any(block.look not in looks for block in blocks):
+    spare = set.intersection(*(scene.spare for scene in scenes))
+    if any(block.look not in looks and n not in spare for n, block in enumerate(blocks)):
         raise Unclear
 
 
@@ -107,15 +113,20 @@ def _look(block: Block) -> str:
     return block.color
 
 
-def _assets(scene: Scene) -> str:
-    lots: dict[str, int] = {}
-    for block in scene.blocks:
-        lots[_look(block)] = lots.get(_look(block), 0) + 1
+def _assets(scene: Scene, told: set[int]) -> str:
+    spare = [block for n, block in enumerate(scene.blocks) if n in scene.spare - told]
+    said = [f"There {_are(block for n, block in enumerate(scene.blocks) if n not in scene.spare - told)}."]
+    said += [f"There is {article(patch.color)} {patch.color} patch." for patch in scene.patches]
+    return " ".join([*said, *([f"There {_are(spare, 'also ')} as distractors."] if spare else [])])
+
+
+def _are(blocks: Iterable[Block], also: str = "") -> str:
+    """ "are two red blocks and a blue block"."""
+    lots = Counter(map(_look, blocks))
     said = [
         f"{article(look)} {look} block" if many == 1 else f"{number(many)} {look} blocks" for look, many in lots.items()
     ]
-    patches = [f"There is {article(patch.color)} {patch.color} patch." for patch in scene.patches]
-    return " ".join([f"There {'are' if len(scene.blocks) > 1 else 'is'} {join(said)}.", *patches])
+    return f"{'are' if lots.total() > 1 else 'is'} {also}{join(said)}"
 
 
 def _name(scene: Scene, n: int) -> str:

@@ -16,6 +16,8 @@ _MOST = 300
 """So many ways to read a text are looked at; one with more of them is not read."""
 _MOST_SCENES = 6
 """So many ways to have what is said are told."""
+_MOST_OPEN = 20
+"""So many may be left by what is said ahead of a clause that leaves fewer of them."""
 _MOST_CLAUSES = 2000
 """So many clauses are tried for it."""
 
@@ -41,7 +43,8 @@ def readings(reader: Reader) -> Iterator[tuple[tuple[Clause, ...], list[Scene]]]
                 if last and last.joined and last.clause.mood == "start" and not reader.led(last.at):
                     clause = _so_at_start(clause)
                 scenes = [scene for before in told for scene in _said(before, clause)]
-                if len(scenes) > _MOST_SCENES:
+                most = _MOST_OPEN if step.at < len(reader.items) else _MOST_SCENES
+                if not 0 < len(scenes) <= most:
                     raise Unclear
                 if step.at < len(reader.items):
                     begun.append(((*way, clause), list(map(pickle.dumps, scenes)), step._replace(clause=clause)))
@@ -53,7 +56,7 @@ def readings(reader: Reader) -> Iterator[tuple[tuple[Clause, ...], list[Scene]]]
 
 
 def _said(told: bytes, clause: Clause) -> list[Scene]:
-    """The scenes behind a clause: one for each way to have what it says."""
+    """The scenes behind a clause: one for each way to have what it says; none where that cannot be."""
     scenes: list[Scene] = []
     scripts: list[tuple[int, ...]] = [()]
     while scripts:
@@ -67,10 +70,8 @@ def _said(told: bytes, clause: Clause) -> list[Scene]:
         for n in range(len(script), len(scene.choices)):
             scripts += [(*taken[:n], other) for other in range(1, scene.choices[n])]
         scene.script, scene.choices = (), []
-        if len(scenes) > _MOST_SCENES:
+        if len(scenes) > _MOST_OPEN:
             raise Unclear
-    if not scenes:
-        raise Unclear
     return scenes
 
 

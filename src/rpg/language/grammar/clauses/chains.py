@@ -286,6 +286,8 @@ def _no_clause(p: Parser, j: int, k: int, previous: Clause, item: Meaning) -> bo
 def _of_the_list(p: Parser, j: int, k: int, item: Meaning) -> bool:
     """ "a red, a green and a blue cube, stacked in that order": what ends a list is no clause of its own."""
     theme = item.theme if isinstance(item, Clause) and item.mode == "goal" else None
+    if theme is not None and theme.span[0] != p.char(j, 0):
+        return False  # "..., and on it a red cube"
     for whole in ("members", "part_of"):  # "a tower of two blue ones, both of them"
         theme = getattr(theme, whole, None) or theme
     counted = isinstance(theme, Coord | Noun) and getattr(getattr(theme, "items", (theme,))[0], "amount", None)

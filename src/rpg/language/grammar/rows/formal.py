@@ -123,7 +123,7 @@ from rpg.language.grammar.rows.verbs_of_place import VERBS_OF_PLACE
 from rpg.language.grammar.rows.vocabulary import MUST
 from rpg.language.grammar.rows.way_behind import PATTERNS_LINED, WAY_BEHIND
 from rpg.language.grammar.rows.which_they_are import WHICH_THEY_ARE
-from rpg.language.grammar.rows.wished_aloud import WISHED_ALOUD
+from rpg.language.grammar.rows.wished_aloud import WISHED_ALOUD, WISHED_ALOUD_AT_ONCE
 from rpg.language.grammar.rows.wished_such import WISHED_SUCH, WISHED_SUCH_AT_ONCE
 from rpg.language.grammar.rows.word_again import word_again
 from rpg.language.grammar.rows.wordier import WORDIER, WORDIER_AT_ONCE
@@ -208,6 +208,7 @@ _OF_ALL = (
     *TOLD_ONCE,
     *ROWS_PLACED,
     *ON_SEVERAL_AT_ONCE,
+    *WISHED_ALOUD_AT_ONCE,
     *WISHED_SUCH_AT_ONCE,
     *HOW_FAR_AT_ONCE,
     *BESIDE_IT_AT_ONCE,

@@ -4,7 +4,7 @@ son make a tower", "can the arm manage a pyramid"."""
 from __future__ import annotations
 
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import COLOR, MANY
+from rpg.language.grammar.rows.vocabulary import COLOR, MANY, MUST
 
 _DOING = {
     "stacking": "stack", "putting": "put", "placing": "place", "building": "build", "making": "make",
@@ -23,6 +23,14 @@ _NAME = (
     "alphabetically|backwards|spelled|written|shown|out|laid)\\b)[a-z]{2,})"
 )
 
+_WANT = "(?:want|need|(?:would|should) (?:like|love|have)|must have|have in mind|am (?:after|thinking of))"
+_OF_IT = f"(?:is|are|has|have|consists?|goes|stands?|{MUST}) "
+
+WISHED_ALOUD_AT_ONCE: tuple[Turn, ...] = (
+    (f"\\b(the (?:\\w+ )?(?:{_FIGURE})s?) (?:(?:that|which) )?(?:i|we) {_WANT}(?: (?:to (?:see|have|get)|built|made))? "
+     f"(?={_OF_IT})", "{1} "),
+)  # fmt: skip
+"""Where "the tower I want" might have to do with a block I."""
 WISHED_ALOUD: tuple[Turn, ...] = (
     *((f"^{_NOW}(?:we|i) (?:are|am){_JUST} {doing} {_THING}", f"{do} ") for doing, do in _DOING.items()),
     (f"^(?:please )?(?:can|could|will|would) (?:you|the robot|somebody|someone)(?: please)? help {_WHOM} "

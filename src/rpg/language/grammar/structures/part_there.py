@@ -38,14 +38,14 @@ def told_there(p: Parser, i: int, j: int, unit: str) -> Results[Meaning]:
         if isinstance(place, Places) and place.unit == "block" and place.several is None and place.side != "rest":
             yield replace(place, several=several or place.several, span=p.span(i, end)), end
         elif isinstance(place, At) and several in (None, 1):
-            yield replace(place, span=p.span(i, end)), end
+            yield replace(place, own=True, span=p.span(i, end)), end
         elif isinstance(place, At) and several is not None and place.index is None:
             yield Places(side=place.side, unit="block", several=several, span=p.span(i, end)), end
     side = SIDES.get(p.words[lead]) if lead and lead < p.end else None
     if side in ("left", "right", "top", "bottom", "front", "back") and p.words[start] not in ("in", "of"):
         end = p.opt(p.reach(lead + 1), "side", "end")
         if several is None or several == 1:
-            yield At(side=side, span=p.span(i, end)), end
+            yield At(side=side, own=True, span=p.span(i, end)), end
         else:
             yield Places(side=side, unit="block", several=several, span=p.span(i, end)), end
 

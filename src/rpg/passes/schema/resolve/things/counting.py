@@ -10,7 +10,7 @@ from rpg.language.later import later
 from rpg.language.meaning import Amount, Noun, Pronoun, Traits, replace
 from rpg.passes.schema.resolve.things.listing import quantified
 from rpg.passes.schema.resolve.things.things import matching
-from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, refuse
+from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, refuse, which_one
 
 if TYPE_CHECKING:
     from rpg.passes.schema.resolve.things.refer import refer
@@ -45,7 +45,7 @@ def not_of_a_structure(noun: Noun, scene: Scene) -> None:
         )
 
 
-def check_both(noun: Noun, whole: Ref, denied: bool) -> None:
+def check_both(noun: Noun, whole: Ref, denied: bool, *, borne: bool = False) -> None:
     """ "both of the three", "on neither" behind one thing alone: there are two, or it is not said of both."""
     if noun.det == "no" and noun.amount == Amount(2, 2, True) and len(whole.names) == 1:
         raise refuse("no-referent", "it is not clear which two are meant by 'neither'", noun.span, "name both")
@@ -53,16 +53,18 @@ def check_both(noun: Noun, whole: Ref, denied: bool) -> None:
         raise refuse("count-mismatch", f"'both' is of two, but there are {len(whole.names)}", noun.span, "say 'all'")
     none = denied and noun.det == "any"  # "not on any of them": on no tower is on none of its blocks
     if isinstance(noun.part_of, Pronoun) and noun.det not in _OF_EACH and not none:
-        _of_the_blocks(noun, whole.built)
+        _of_the_blocks(noun, whole.built, borne=borne)
 
 
-def _of_the_blocks(noun: Noun, built: Sequence[Built]) -> None:
-    """Refuse "two towers, exactly one of them on the mat": one of the towers, or a block of theirs?"""
+def _of_the_blocks(noun: Noun, built: Sequence[Built], *, borne: bool = False) -> None:
+    """Refuse "two towers, exactly one of them on the mat": one of the towers, or a block of theirs?
+
+    Where something lies on one of them (`borne`), it may be the towers: they have room on top."""
     several = len(built) > 1 or any(one.kind == "towers" for one in built)
     if several and noun.traits == Traits():
         kind = {"stack": "tower"}.get(built[0].kind, built[0].kind.rstrip("s"))
-        raise refuse("ambiguous", f"so many of the {kind}s, or of their blocks?", noun.span,
-                     f"say it of one {kind}: 'the {kind} of A and B'")  # fmt: skip
+        message, hint = f"so many of the {kind}s, or of their blocks?", f"say it of one {kind}: 'the {kind} of A and B'"
+        raise which_one(message, noun.span, hint) if borne else refuse("ambiguous", message, noun.span, hint)
 
 
 _OF_EACH = frozenset({"all", "each", "both", "no"})

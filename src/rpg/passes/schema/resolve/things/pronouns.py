@@ -159,7 +159,7 @@ def _it(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         looks = {(t.color, t.label) for t in map(scene.things.__getitem__, several.names)}
         one = word.word == "the first one" or (word.word == "it" and (itself or len(looks) > 1))
         if one and len(several.names) > 1 and not several.built:
-            raise refuse("ambiguous", f"{word.word!r} could be any of several blocks", word.span,
+            raise which_one(f"{word.word!r} could be any of several blocks", word.span,
                          "name the one you mean")  # fmt: skip
         return several
     if scope.role == "theme":
@@ -279,7 +279,7 @@ def _decide(word: Pronoun, scene: Scene, rivals: list[Mention], rel: str) -> Ref
     if stacked and len(tops) == 1:
         return tops[0].ref
     readings = [f"the {m.ref.built[0].kind}" if m.ref.built else said(scene.things[m.ref.names[0]]) for m in rivals]
-    raise refuse("ambiguous", f"{word.word!r} could be {' or '.join(readings)}", word.span, "name the one you mean")
+    raise which_one(f"{word.word!r} could be {' or '.join(readings)}", word.span, "name the one you mean")
 
 
 def _one(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
@@ -357,12 +357,8 @@ def others(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
                 noun.span,
                 "name its colour or its label",
             )
-        raise refuse(
-            "ambiguous",
-            f"'the other' could be any of {len(left)} blocks",
-            noun.span,
-            "say 'the others', or name the block",
-        )
+        message = f"'the other' could be any of {len(left)} blocks"
+        raise which_one(message, noun.span, "say 'the others', or name the block")
     names = tuple(t.name for t in left)
     scene.used.update(names)
     scene.parted.update(names)

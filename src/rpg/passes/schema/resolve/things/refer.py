@@ -243,7 +243,7 @@ def _of_them(noun: Noun, scene: Scene, scope: Scope) -> Ref:
         if refusal.diagnostics[0].code == "too-many-asked":
             raise
         hint = "say for example 'two of the three red blocks'"
-        raise refuse("ambiguous", "it is not said of which blocks so many are meant", noun.span, hint) from None
+        raise which_one("it is not said of which blocks so many are meant", noun.span, hint) from None
 
 
 def _besides(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
@@ -320,7 +320,7 @@ def _partitive(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     if noun.det == "no" and isinstance(noun.part_of, Pronoun) and scope.role == "landmark":
         patches = patches_of_each(scene, scope, of_none=True)
         whole = Ref(names=patches, patch=True, plural=True) if patches else whole
-    check_both(noun, whole, scene.denying)
+    check_both(noun, whole, scene.denying, borne=scope.role == "landmark" and scope.rel == "on")
     amount = noun.amount
     if noun.det in ("all", "each", "both"):
         whole = all_of_it(whole) if noun.det == "both" else whole
@@ -363,8 +363,8 @@ def _some_of(whole: Ref, count: int, noun: Noun, scene: Scene) -> Ref:
     free = [n for n in whole.names if n not in scene.parted]
     things = [scene.things[n] for n in free]
     if not alike(things) and any(t.color or t.label for t in things):
-        raise refuse("ambiguous", f"it is not said which of {len(free)} different blocks are meant", noun.span,
-                     "name the blocks", blocks=len(free))  # fmt: skip
+        message = f"it is not said which of {len(free)} different blocks are meant"
+        raise which_one(message, noun.span, "name the blocks")
     if len(free) < count:
         raise refuse(
             "too-many-asked",

@@ -214,14 +214,8 @@ def _definite(noun: Noun, found: list[Thing], scene: Scene, scope: Scope, patch:
         if len(found) > amount and (told := _so_many_told(noun, amount, scene)):
             return told
         if len(found) > amount:
-            raise refuse(
-                "ambiguous",
-                f"{amount} are spoken of, but there are {len(found)} such blocks",
-                noun.span,
-                "say which, or 'any'",
-                asked=amount,
-                there=len(found),
-            )
+            message = f"{amount} are spoken of, but there are {len(found)} such blocks"
+            raise which_one(message, noun.span, "say which, or 'any'")
         if any(t.declared for t in found) and len(found) < amount and not scope.given:
             raise refuse(
                 "too-many-asked",

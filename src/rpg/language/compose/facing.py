@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 
-from rpg.language.compose.figures import OPPOSITE, TOWARD, Resolve
 from rpg.language.compose.items import FIGURES
-from rpg.language.compose.scene import Fact, Ref, Scene, Unclear
-from rpg.language.compose.syntax import Noun, Phrase
+from rpg.language.compose.scene import OPPOSITE, TOWARD, Fact, Ref, Scene, Unclear
+from rpg.language.compose.syntax import Noun
 
 _ACROSS = (("left", "middle", "right"), ("near", "middle", "far"))
+SIDED = frozenset(side for sides in _ACROSS for side in sides)
 
 
 def one_more(scene: Scene, noun: Noun) -> Noun:
@@ -24,7 +23,7 @@ def one_more(scene: Scene, noun: Noun) -> Noun:
     kind = noun.noun if noun.noun in FIGURES else scene.figures[-1].kind if scene.figures else ""
     alike = [figure for figure in scene.figures if figure.kind == kind]
     if told_by_side:
-        known = noun.ranks[0] in scene.facing or not any(noun.ranks[0] in sides for sides in _ACROSS)
+        known = noun.ranks[0] in scene.facing or noun.ranks[0] not in SIDED
         if known or len(scene.figures) > len(scene.facing) or not kind:
             raise Unclear
     elif not alike or any(figure.implied for figure in alike) or (noun.det == "other" and len(scene.figures) > 1):
@@ -49,19 +48,3 @@ def check_facing(scene: Scene) -> None:
         needed = (OPPOSITE[side],) if side in OPPOSITE else ()
         if any(other not in scene.facing for other in needed) or len(scene.facing) < 2:
             raise Unclear
-
-
-def face_each_other(scene: Scene, parts: Sequence[Phrase], resolve: Resolve) -> list[Ref]:
-    """ "a back row of three red blocks and a front row of two": figures at opposite sides of each other."""
-    nouns = [part for part in parts if isinstance(part, Noun) and part.noun in FIGURES and part.det in {"a", ""}]
-    ranks = [part.ranks[0] for part in nouns if len(part.ranks) == 1]
-    if len(ranks) < len(parts) or not any(set(ranks) in ({*sides}, {sides[0], sides[2]}) for sides in _ACROSS):
-        return []
-    if len({*ranks}) < len(ranks):
-        raise Unclear
-    refs = [resolve(scene, replace(part, ranks=())) for part in nouns]
-    if any(ref.kind != "figure" or len(ref.ids) != 1 or not ref.fresh for ref in refs):
-        raise Unclear
-    for rank, ref in zip(ranks, refs, strict=True):
-        face(scene, rank, ref.ids[0])
-    return refs

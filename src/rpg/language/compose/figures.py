@@ -7,11 +7,12 @@ from dataclasses import replace
 from math import isqrt, prod
 
 from rpg.blocks.figures import FEWEST
+from rpg.language.compose.facing import SIDED, face
 from rpg.language.compose.items import FIGURES, PARTS, SYMBOL_KINDS, shows
 from rpg.language.compose.lined import of_line, stand_in
 from rpg.language.compose.ordering import as_at_start, put_in_order
 from rpg.language.compose.places_of import DRAWN, line_of, places, steps
-from rpg.language.compose.scene import SIDES, Fact, Figure, Ref, Scene, Unclear
+from rpg.language.compose.scene import OPPOSITE, TOWARD, Fact, Figure, Ref, Scene, Unclear
 from rpg.language.compose.syntax import Both, Chain, Label, Listing, Noun, Phrase, Pronoun
 
 Resolve = Callable[[Scene, Phrase], Ref]
@@ -22,8 +23,6 @@ _SIDES = frozenset({"left", "right"})
 _LINED = frozenset({"left", "right", "middle", "outer", "end"})
 _READ = frozenset({"word", "equation"})
 """What is read from the left."""
-TOWARD = {"left": SIDES["left"], "right": SIDES["right"], "near": SIDES["front"], "far": SIDES["behind"]}
-OPPOSITE = {"left": "right", "right": "left", "near": "far", "far": "near"}
 _COUNTED = frozenset({"tower", "row", "line", "column", "staircase", "pyramid"})
 _SOLID = frozenset({"square", "grid", "wall", "cube"})
 """What is told by how wide, deep and high it is."""
@@ -51,6 +50,11 @@ def figures_of(scene: Scene, noun: Noun, resolve: Resolve) -> Ref:
         bare = noun.content is None and not noun.size and not noun.word
         if ((noun.many or noun.det in ALL) and not listed) or bare:
             raise Unclear
+    side = noun.ranks[0] if len(noun.ranks) == 1 and noun.det in {"a", ""} and noun.ranks[0] in SIDED else ""
+    if side and noun.count < 2:
+        one = figures_of(scene, replace(noun, ranks=()), resolve)
+        face(scene, side, one.ids[0])
+        return one
     if noun.nth or noun.bound or set(noun.ranks) - {"tall", "short", "hollow", "full"}:
         raise Unclear
     if noun.count > 1 and (

@@ -6,14 +6,13 @@ from dataclasses import replace
 from itertools import combinations
 
 from rpg.language.compose.chosen import chosen
-from rpg.language.compose.facing import face_each_other
-from rpg.language.compose.figures import ALL, TOWARD, figures_of, has_first, is_farthest, part, within
+from rpg.language.compose.figures import ALL, figures_of, has_first, is_farthest, part, within
 from rpg.language.compose.items import FIGURES, PARTS, SYMBOL_KINDS
 from rpg.language.compose.lined import feet
 from rpg.language.compose.listed import by_worth, counted_alike, symbols
 from rpg.language.compose.others import others, take
 from rpg.language.compose.pronouns import pronoun
-from rpg.language.compose.scene import Patch, Ref, Scene, Unclear
+from rpg.language.compose.scene import TOWARD, Patch, Ref, Scene, Unclear
 from rpg.language.compose.syntax import Both, Chain, Label, Listing, Noun, Phrase, Pronoun
 
 _HIGH = {"top": "tall", "bottom": "short"}
@@ -54,9 +53,7 @@ def _both(scene: Scene, phrase: Both) -> Ref:
     """Several: all of one kind, or told of one by one."""
     if phrase.either:
         return _one_of(scene, phrase)
-    refs = face_each_other(scene, phrase.parts, resolve) or [
-        resolve(scene, part) for part in counted_alike(phrase.parts)
-    ]
+    refs = [resolve(scene, part) for part in counted_alike(phrase.parts)]
     mixed = {ref.kind for ref in refs} == {"block", "figure"} and all(ref.fresh for ref in refs)
     if mixed and not any(ref.bound or ref.no or ref.each or ref.rest for ref in refs):
         if any(ref.kind == "block" and len(ref.ids) > 1 for ref in refs):

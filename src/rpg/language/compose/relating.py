@@ -276,6 +276,9 @@ def on(scene: Scene, ref: Ref, target: Ref, word: str, *, no: bool) -> None:
         if figure.kind != "tower" and len(ref.ids) > 1:
             scene.pending.append((ref.ids, figure.blocks))
             return
+    rows = [scene.figures[r.ids[0]] for r in (ref, target) if r.kind == "figure" and len(r.ids) == 1]
+    if len(rows) == 2 and all(row.kind == "row" and scene.alike(row.blocks) for row in rows):  # each on another one
+        ref, target = (Ref("block", row.blocks) for row in rows)
     if target.kind == "figure" or (target.kind == "block" and len(target.ids) > 1 and len(ref.ids) == 1):
         target = Ref("block", tops_of(scene, target))
     upper = ref.ids

@@ -7,11 +7,15 @@ from dataclasses import dataclass, field
 
 from rpg.language.frames.pieces import Unclear
 
-__all__ = ["SIDES", "Block", "Fact", "Figure", "Impossible", "Patch", "Ref", "Scene", "Unclear"]
+__all__ = [
+    "OPPOSITE", "SIDES", "TOWARD", "Block", "Fact", "Figure", "Impossible", "Patch", "Ref", "Scene", "Unclear",
+]  # fmt: skip
 
 
 SIDES = {"left": "to the left of", "right": "to the right of", "front": "in front of", "behind": "behind"}
 """How facts tell on which side something is."""
+TOWARD = {"left": SIDES["left"], "right": SIDES["right"], "near": SIDES["front"], "far": SIDES["behind"]}
+OPPOSITE = {"left": "right", "right": "left", "near": "far", "far": "near"}
 
 
 class Impossible(Unclear):

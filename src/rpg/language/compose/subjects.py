@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from rpg.language.compose.facing import SIDED
 from rpg.language.compose.figures import ALL
 from rpg.language.compose.items import FIGURES
 from rpg.language.compose.scene import SIDES, Ref, Scene, Unclear
@@ -36,6 +37,7 @@ def told_of_figures(scene: Scene, clause: Clause) -> Clause:
         return clause
     if not isinstance(subject, Noun) or subject.content is not None or subject.of is not None:
         raise Unclear
+    subject = _at_its_side(scene, subject)
     if subject.det == "other" and len(scene.figures) == 1 and subject.noun in {"", "one", *FIGURES}:
         subject = replace(subject, det="another", noun=scene.figures[0].kind)
     elif (
@@ -45,6 +47,17 @@ def told_of_figures(scene: Scene, clause: Clause) -> Clause:
     ):
         raise Unclear
     return replace(clause, subject=replace(subject, content=said[0].like, made="of"), predicates=clause.predicates[1:])
+
+
+def _at_its_side(scene: Scene, noun: Noun) -> Noun:
+    """ "The left tower", "the tower on the right", where no others were told of: it is told of for the first time."""
+    where = noun.that[0] if len(noun.that) == 1 else None
+    rank = noun.ranks[0] if len(noun.ranks) == 1 else ""
+    if isinstance(where, Place) and where.of is None and not where.no:
+        rank = {"front": "near", "behind": "far"}.get(where.relation, where.relation)
+    if rank not in SIDED or noun.det != "the" or noun.noun not in FIGURES or len(scene.figures) > len(scene.facing):
+        return noun
+    return replace(noun, det="a", ranks=(rank,), that=())
 
 
 def one_of_it(scene: Scene, clause: Clause) -> Ref | None:

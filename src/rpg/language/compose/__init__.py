@@ -25,32 +25,43 @@ from rpg.language.tokens import Token
 
 def composed(tokens: Sequence[Token]) -> Iterator[tuple[list[Token], str]]:
     """The text in plain sentences, and the words of that, if all ways to read it come to the same."""
-    told = meanings(tokens)
-    if len(told) == 1:
-        yield standing(told[0], tokens), told[0]
+    yield from ((ways[0], said) for ways, said in composed_ways(tokens) if len(ways) == 1)
+
+
+def composed_ways(tokens: Sequence[Token]) -> Iterator[tuple[list[list[Token]], str]]:
+    """The same, and where it may be had in several ways, the text of each of them."""
+    told = _all_told(tokens)
+    for text, ways in told.items() if len(told) == 1 else ():
+        yield [standing(text, tokens)], text
+        if len(ways) > 1:
+            yield [standing(way, tokens) for way in ways], text
 
 
 def meanings(tokens: Sequence[Token]) -> list[str]:
     """All that a text can mean, each in plain sentences."""
+    return list(_all_told(tokens))
+
+
+def _all_told(tokens: Sequence[Token]) -> dict[str, list[str]]:
     items = items_of(tokens)
-    if not items:
-        return []
-    return _told(items) or _told(_told_last(items), ahead=True)
+    return (_told(items) or _told(_told_last(items), ahead=True)) if items else {}
 
 
-def _told(items: Sequence[Item], *, ahead: bool = False) -> list[str]:
-    """`ahead`: what the first clause tells stood at the end of the text, where only what there is is told."""
-    found: dict[str, None] = {}
+def _told(items: Sequence[Item], *, ahead: bool = False) -> dict[str, list[str]]:
+    """All meanings, and the ways to have each of them. `ahead`: what the first clause tells stood at the end of the
+    text, where only what there is is told."""
+    found: dict[str, list[str]] = {}
     try:
         for way, scenes in readings(Reader(items)) if items else ():
             if ahead and way[0].mood not in {"there", "start"} and not _defines(way[0]):
                 continue
             with suppress(Unclear):
                 check_in_time(way)
-                found[tell_all(scenes)] = None
+                text, ways = tell_all(scenes)
+                found[text] = ways
     except TooMany:
-        return []
-    return list(found)
+        return {}
+    return found
 
 
 def _told_last(items: Sequence[Item]) -> list[Item]:

@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from rpg.language import lexicon
+from rpg.language.compose.becoming import Becoming
 from rpg.language.compose.items import FIGURES
 from rpg.language.compose.series import counted
 from rpg.language.compose.syntax import (
@@ -26,7 +27,7 @@ from rpg.language.compose.syntax import (
     Pronoun,
     is_figure,
 )
-from rpg.language.compose.verbs import AUX, BUILT, STAYS, Verbs, opposite_of
+from rpg.language.compose.verbs import AUX, BUILT, STAYS, opposite_of
 from rpg.language.compose.words import Ways, remembered
 
 _LEADS = (
@@ -56,8 +57,8 @@ _STACK = frozenset({"stack", "pile"})
 _CAP = frozenset({"cap", "top", "crown"})
 _PILED_AT = frozenset({"on", "in", "off", "under", "region", "top", "table"})
 """Where one may stack things; what is stacked beside something, or between, need not stand on the table."""
+_BEHIND_COMMA = frozenset({"in turn", "side by side", "rising", "any order"})
 _LINE = Noun(det="a", noun="line")
-_INTO = ("as", "in", "into", "in the shape of", "out as")
 _THERE = ("there is", "there are", "you have", "we have", "i have", "here is", "here are")
 _THEN = (
     ", finally", ", and finally", ". finally", "; finally", "and finally", ". lastly", ", then",
@@ -70,7 +71,8 @@ _FRONTED = (",", "is", "are", "goes", "go", "stands", "stand", "there is", "ther
             "comes", "build", ", build")  # fmt: skip
 _SEPARATORS = (
     ", and then there is", ", and there is", ", and", ", but", ", while", ", with", ", plus", ", whereas", ", so that",
-    ", of which",
+    ", of which", ", except that", "except that", ", such that", "such that", "in such a way that", ", where", "where",
+    "in which", ", in which",
     "; and", ", leaving", ",", ";", ".", "!", "?", ":", "and", "but", "while", "plus", "with", "whereas", "so that",
 )  # fmt: skip
 
@@ -82,11 +84,14 @@ _NOT_TOGETHER = tuple(
     for must in ("", "must not ", "should not ", "may not ", "can not ")
     for there in ("there", "on it", "chosen", "among them")
 )
-_WITH = frozenset({", with", "with", ", leaving", "so that", ", so that"})
+_WITH = frozenset({
+    ", with", "with", ", leaving", "so that", ", so that", ", except that", "except that", ", such that", "such that",
+    "in such a way that", ", where", "where", "in which", ", in which",
+})  # fmt: skip
 """Behind these stands what is so of a thing that is told of, not a further thing."""
 
 
-_STOPS = frozenset({".", "!", "?", ",", ";"})
+_STOPS = frozenset({".", "!", "?", ",", ";", ":"})
 
 
 class Step(NamedTuple):
@@ -100,7 +105,7 @@ class Step(NamedTuple):
     joined: bool = False
 
 
-class Reader(Verbs):
+class Reader(Becoming):
     """Reads the clauses of a text."""
 
     def steps(self, at: int, *, said: bool = False) -> Iterator[Step]:
@@ -148,12 +153,14 @@ class Reader(Verbs):
         for start in self._leads(at):
             there = start > at and any(self.past(at, lead.split()) == start for lead in _THERE)
             found += self._command(start)
+            found += self.turned(start)
             found += self._fronted(start)
             if self.text(start) in {"spell", "write"}:
                 found += self._spelled(start + 1)
             found += self._statement(start)
             found += [(Clause(what, said, "there" if there else ""), end) for what, said, end in self._existing(start)]
         found += self._left_alone(at)
+        found += self.begun(at)
         found += self._narrowed(at)
         if either := self.past_any(at, "either"):
             for one, end in self.clause(either):
@@ -195,6 +202,10 @@ class Reader(Verbs):
             found += [(Clause(what, (STAY,), "put"), end) for what, end in some]  # "a" may be any of them
         return found
 
+    def led(self, at: int) -> bool:
+        """Whether a clause that begins there has words ahead of it such as "at the end"."""
+        return len(self._leads(at)) > 1
+
     def _leads(self, at: int) -> list[int]:
         """Where the clause itself may begin."""
         starts, new = [at], [at]
@@ -213,6 +224,10 @@ class Reader(Verbs):
         if verb in _BUILD and not no:
             built = self._built(start, laid=verb in _PUT)
             found += [way for way in built if verb not in _STACK or not is_figure(way[0].subject)]
+        if (verb in _PUT or verb in _BUILD) and not no:
+            ahead = [way for way in self._rest(start) if isinstance(way[0][0], Made)]
+            listed = [(what, said, end) for said, at in ahead for what, end in self.phrase(self._begin(at))]
+            found += [(Clause(what, said, "build"), end) for what, said, end in listed]
         if verb in _PUT or verb in _BUILD:
             for what, end in self.phrase(start):
                 for said, stop in self.predicates(end):
@@ -220,13 +235,9 @@ class Reader(Verbs):
                         if verb in _STACK and several(what):
                             said = (Made(TOWER), *said)
                         found.append((Clause(what, said, "put"), stop))
+        found += self._line_up(at) if not no else []
         if verb in _PUT and not no:
             found += self._until(start)
-        if (lined := self.past_any(at, "line up")) and not no:
-            existing = [way for way in self._existing(lined) if not is_figure(way[0])]  # which way they face is open
-            found += [(Clause(what, (Made(_LINE), *said), "build"), end) for what, said, end in existing]
-            rows = [(what, way) for what, end in self.phrase(lined) for way in self.ordered(_LINE, end)]
-            found += [(Clause(what, (Made(row),), "build"), end) for what, (row, end) in rows]
         if verb in _CAP and not no:
             for what, end in self.phrase(start):
                 upper = self.single(end + 1) if self.text(end) == "with" else ()
@@ -238,6 +249,19 @@ class Reader(Verbs):
         if no:
             denied = [(replace(clause, predicates=opposite_of(clause.predicates)), end) for clause, end in found]
             found = [(clause, end) for clause, end in denied if clause.predicates]
+        return found
+
+    def _line_up(self, at: int) -> Ways[Clause]:
+        """ "line up A, B and C", "line them up"."""
+        found: Ways[Clause] = []
+        if self.text(at) == "line":
+            apart = [(what, end + 1) for what, end in self.single(at + 1) if self.text(end) == "up"]
+            found += [(Clause(what, (Made(_LINE),), "build"), end) for what, end in apart]
+        if lined := self.past_any(at, "line up"):
+            lined_up = [way for way in self._existing(lined) if not is_figure(way[0], but="tower")]
+            found += [(Clause(what, (Made(_LINE), *said), "build"), end) for what, said, end in lined_up]
+            rows = [(what, way) for what, end in self.phrase(lined) for way in self.ordered(_LINE, end)]
+            found += [(Clause(what, (Made(row),), "build"), end) for what, (row, end) in rows]
         return found
 
     def _until(self, start: int) -> Ways[Clause]:
@@ -260,15 +284,11 @@ class Reader(Verbs):
                 found += [(Clause(what, (), "build", said), stop) for said, stop in self.last_at(what, end)]
                 found += [(Clause(what, said, "build"), stop) for said, stop in self._rest(end)]
             sorted_so = [(row.order, at) for row, at in self.ordered(Noun(noun="row"), end)]
-            intos = [(order, self.past_any(at, way)) for order, at in [("", end), *sorted_so] for way in _INTO]
-            for order, into in dict.fromkeys(intos):
-                for figure, stop in self.single(into) if into else ():
-                    if isinstance(figure, Noun) and figure.noun in FIGURES:
-                        figure = replace(figure, order=order) if order else figure
-                        found.append((Clause(what, (Made(figure),), "build"), stop))
-                        found += [
-                            (Clause(what, (Made(figure), *said), "build"), last) for said, last in self._rest(stop)
-                        ]
+            intos = [(order, at + (self.text(at) == ",")) for order, at in [("", end), *sorted_so]]
+            for order, figure, stop in ((order, *way) for order, at in intos for way in self.into(at)):
+                figure = replace(figure, order=order) if order else figure
+                found.append((Clause(what, (Made(figure),), "build"), stop))
+                found += [(Clause(what, (Made(figure), *said), "build"), last) for said, last in self._rest(stop)]
         return found
 
     def _existing(self, at: int) -> list[tuple[Phrase, tuple[Predicate, ...], int]]:
@@ -340,8 +360,7 @@ class Reader(Verbs):
         )
         looks: Ways[tuple[Predicate, ...]] = [((Looks(how),), end) for how, end in self._ordered(start)]
         if self.text(at) == ",":
-            said_of_all = {"in turn", "side by side", "any order"}
-            looks += [((place,), end) for place, end in self.place(at + 1) if place.relation in said_of_all]
+            looks += [((place,), end) for place, end in self.place(at + 1) if place.relation in _BEHIND_COMMA]
         if color := lexicon.COLOR.get(self.text(start)):
             looks.append(((Looks(Noun(color=color)),), start + 1))
         if end := self.past_any(start, *_LINED):

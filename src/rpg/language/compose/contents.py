@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from dataclasses import replace
 
 from rpg.language import lexicon
+from rpg.language.compose.items import RANK
 from rpg.language.compose.series import Series
-from rpg.language.compose.syntax import Both, Chain, Clause, Listing, Noun, Phrase, Place, Predicate
+from rpg.language.compose.syntax import Both, Chain, Clause, Label, Listing, Noun, Phrase, Place, Predicate
 from rpg.language.compose.words import Ways
 
 _MADE_OF = (
@@ -14,6 +16,25 @@ _MADE_OF = (
     "each made of", "made of", "made from", "made out of", "consisting of", "comprising", "containing", "made up of",
     "built from", "built of", "out of", "with", "in",
 )  # fmt: skip
+_OF_EACH = tuple(
+    f"{each}{of}"
+    for each in ("each", "each one", "each of them", "both", "both of them", "that are both", "which are both")
+    for of in ("", " with", " of", " made of", " consisting of", " being", " is")
+)
+"""Behind these stands what each of several figures is made of."""
+_ONE_OF_EACH = tuple(
+    f"one {of} {color}{are}"
+    for of, color in (("for each of the", "colors"), ("in each of the", "colors"), ("of each of the", "colors"),
+                      ("for each", "color"), ("in each", "color"), ("per", "color"), ("of each", "color"))
+    for are in ("", " :", " ,")
+)  # fmt: skip
+_AT_SIDE: dict[str, tuple[str, ...]] = {
+    "far": ("at the back", "in the back", "in back", "behind", "at the rear"),
+    "near": ("at the front", "in the front", "in front"),
+    "left": ("on the left", "at the left", "to the left", "left"),
+    "right": ("on the right", "at the right", "to the right", "right"),
+    "middle": ("in the middle", "in between", "in the center"),
+}
 
 
 class Contents(Series, ABC):
@@ -43,6 +64,10 @@ class Contents(Series, ABC):
         """ "of three red blocks", ", blue over red", ", one of two red blocks and one of three blue ones"."""
         found: Ways[Phrase] = []
         aside = self.text(at) == ","
+        if each := self.past_any(at + aside, *_OF_EACH):
+            found += [(chain, end) for chain, end in self.single(each) if isinstance(chain, Chain)]
+            if found:
+                return found
         if end := self.past_any(at + aside, *_MADE_OF):
             if aside:
                 return [(noun, stop + (self.text(stop) == ",")) for noun, stop in self.phrase(end)]
@@ -54,7 +79,23 @@ class Contents(Series, ABC):
         found += self._listing(start)
         if start > at:
             found += self._heights(start)
+        if one := self.past_any(start, *_ONE_OF_EACH):
+            colors, end = self.color_list(one + (self.text(one) in {",", ":"}))
+            found += [(Listing(tuple(Noun(color=c, noun="block", many=True) for c in colors)), end)] if colors else []
+        if self.text(at) == "of" and (numbers := self._numbers(at + 1))[0]:
+            found.append((Listing(numbers[0]), numbers[1]))
         return found
+
+    def _numbers(self, at: int) -> tuple[tuple[Noun, ...], int]:
+        """ "two, three and four red blocks": of how many blocks each of several towers is."""
+        counts: list[int] = []
+        while self.number(at):
+            counts.append(self.number(at))
+            at = self.past_any(at + 1, "and", ", and", ",") or at + 1
+        color = lexicon.COLOR.get(self.text(at), "")
+        if len(counts) < 2 or self.text(at + bool(color)) != "block":
+            return (), at
+        return tuple(Noun(count=n, color=color, noun="block", many=True) for n in counts), at + bool(color) + 1
 
     def _heights(self, at: int) -> Ways[Phrase]:
         """ "two, three and four blocks high"."""
@@ -96,6 +137,67 @@ class Contents(Series, ABC):
                     found.append((Noun(count=self.number(of), noun="block", many=True), of + 1))
         return found
 
+    def one_by_one(self, noun: Noun, at: int) -> Ways[Phrase]:
+        """ "two rows: a back row of three and a front row of two", "two rows, blue behind and red in front"."""
+        if self.text(at) not in {":", ","} or noun.count < 2:
+            return []
+        told = [(both, end) for both, end in self.phrase(at + 1) if isinstance(both, Both)]
+        named = [
+            (both, end) for both, end in told
+            if len(both.parts) == noun.count
+            and all(isinstance(part, Noun) and part.noun == noun.noun and part.det == "a" for part in both.parts)
+        ]  # fmt: skip
+        size = noun.size or ((noun.content.count,) if isinstance(noun.content, Noun) else ())
+        one = Noun(det="a", noun=noun.noun, size=size)
+        begun: Ways[tuple[Phrase, ...]] = [((), at + 1)]
+        for _ in range(noun.count):
+            begun = [((*parts, part), end) for parts, start in begun for part, end in self._at_a_side(one, start)]
+            last = [(Both(parts), end) for parts, end in begun if len(parts) == noun.count]
+            begun = [(parts, self.past_any(end, "and", ", and", ",", ";")) for parts, end in begun]
+            begun = [(parts, start) for parts, start in begun if start]
+        return [*named, *last]
+
+    def _at_a_side(self, one: Noun, at: int) -> Ways[Noun]:
+        """ "blue at the back", "A, B and C on the left", "the right one red": one of several figures."""
+        found: Ways[Noun] = []
+        start = at + (self.text(at) in {"the", "a", "one"})
+        if color := lexicon.COLOR.get(self.text(start)):
+            end = start + 1 + (self.text(start + 1) == "one")
+            found += [(replace(one, color=color, ranks=(side,)), stop) for side, stop in self._side(end)]
+        for what, end in self.phrase(at):
+            if isinstance(what, Both) and all(isinstance(part, Label) for part in what.parts):
+                found += [(replace(one, content=what, ranks=(side,)), stop) for side, stop in self._side(end)]
+        side = RANK.get(self.text(at + 1), "") if self.text(at) == "the" else ""
+        end = at + 2 + (self.text(at + 2) in {"one", one.noun})
+        end += self.text(end) in {"is", "being", "in"}
+        if side in _AT_SIDE and (color := lexicon.COLOR.get(self.text(end))):
+            found.append((replace(one, color=color, ranks=(side,)), end + 1))
+        return found
+
+    def _side(self, at: int) -> list[tuple[str, int]]:
+        return [(side, end) for side, ways in _AT_SIDE.items() if (end := self.past_any(at, *ways))]
+
+    def in_turn(self, noun: Noun, at: int) -> Ways[Noun]:
+        """ "red, blue, red from bottom to top", "A, B and C from left to right": its blocks one after the other."""
+        parts: list[Phrase] = []
+        start = end = at
+        while start:
+            begin = start + (self.text(start) in {"a", "the"})
+            label, color = self.label(begin), lexicon.COLOR.get(self.text(begin), "")
+            if not (label or color) or self.items[begin].many:
+                break
+            parts.append(Label(label) if label else Noun(color=color))
+            end = begin + 1 + (self.text(begin + 1) in {"block", "one"})
+            start = self.past_any(end, "and", ", and", ",", ", then", "then", "and then")
+        end += self.text(end) == ","
+        if len(parts) < 2 or noun.noun not in {"tower", "row"}:
+            return []
+        first, last = ("bottom", "top") if noun.noun == "tower" else ("left", "right")
+        ahead = self.past_any(end, f"from {first} to {last}", f"from the {first} to the {last}", f"{first} to {last}")
+        back = self.past_any(end, f"from {last} to {first}", f"from the {last} to the {first}", f"{last} to {first}")
+        listed = Chain(tuple(parts[::-1] if ahead else parts))
+        return [(replace(noun, content=listed, made="of", order="listed"), ahead or back)] if ahead or back else []
+
     def told_apart(self, noun: Noun, at: int) -> Ways[Phrase]:
         """ "two patches, a yellow and a gray one", "three: black, orange and gray": of each colour one."""
         if self.text(at) not in {",", ":"} or noun.count < 2 or noun.color or noun.noun not in {"", "block", "patch"}:
@@ -114,8 +216,10 @@ class Contents(Series, ABC):
             end = self.past_any(end, ", and", "and", ",")
             if not end:
                 return []
-        if len({*colors}) < len(colors):
-            return []
+        more = self.past_any(end, ", and", "and", ",")
+        more += self.text(more) in {"a", "one"} if more else 0
+        if len({*colors}) < len(colors) or (more and self.text(more) in lexicon.COLOR):
+            return []  # there are more of them than was said
         return [(Both(tuple(Noun(det="a", color=color, noun=noun.noun or "block") for color in colors)), end)]
 
     def last_at(self, what: Phrase, at: int) -> Ways[Clause]:

@@ -7,10 +7,12 @@ from dataclasses import replace
 from math import isqrt, prod
 
 from rpg.blocks.figures import FEWEST
+from rpg.language.compose.facing import SIDED, face
 from rpg.language.compose.items import FIGURES, PARTS, SYMBOL_KINDS, shows
-from rpg.language.compose.lined import line_up, of_line
+from rpg.language.compose.lined import of_line, stand_in
+from rpg.language.compose.ordering import as_at_start, put_in_order
 from rpg.language.compose.places_of import DRAWN, line_of, places, steps
-from rpg.language.compose.scene import SIDES, Fact, Figure, Ref, Scene, Unclear
+from rpg.language.compose.scene import OPPOSITE, TOWARD, Fact, Figure, Ref, Scene, Unclear
 from rpg.language.compose.syntax import Both, Chain, Label, Listing, Noun, Phrase, Pronoun
 
 Resolve = Callable[[Scene, Phrase], Ref]
@@ -21,8 +23,7 @@ _SIDES = frozenset({"left", "right"})
 _LINED = frozenset({"left", "right", "middle", "outer", "end"})
 _READ = frozenset({"word", "equation"})
 """What is read from the left."""
-TOWARD = {"left": SIDES["left"], "right": SIDES["right"], "near": SIDES["front"], "far": SIDES["behind"]}
-OPPOSITE = {"left": "right", "right": "left", "near": "far", "far": "near"}
+_COUNTED = frozenset({"tower", "row", "line", "column", "staircase", "pyramid"})
 _SOLID = frozenset({"square", "grid", "wall", "cube"})
 """What is told by how wide, deep and high it is."""
 
@@ -49,6 +50,11 @@ def figures_of(scene: Scene, noun: Noun, resolve: Resolve) -> Ref:
         bare = noun.content is None and not noun.size and not noun.word
         if ((noun.many or noun.det in ALL) and not listed) or bare:
             raise Unclear
+    side = noun.ranks[0] if len(noun.ranks) == 1 and noun.det in {"a", ""} and noun.ranks[0] in SIDED else ""
+    if side and noun.count < 2:
+        one = figures_of(scene, replace(noun, ranks=()), resolve)
+        face(scene, side, one.ids[0])
+        return one
     if noun.nth or noun.bound or set(noun.ranks) - {"tall", "short", "hollow", "full"}:
         raise Unclear
     if noun.count > 1 and (
@@ -59,7 +65,7 @@ def figures_of(scene: Scene, noun: Noun, resolve: Resolve) -> Ref:
         towers = resolve(scene, noun.content)
         if not towers.fresh or noun.count > 1 or noun.color or noun.size:
             raise Unclear
-        line_up(scene, towers.ids, from_left=False)
+        stand_in(scene, towers, Noun(noun=kind))
         return towers
     if isinstance(noun.content, Listing):
         if noun.count not in {0, len(noun.content.parts)}:
@@ -177,12 +183,11 @@ def _made(scene: Scene, noun: Noun, kind: str, resolve: Resolve) -> int:
             raise Unclear
         size, content = size or (content.count,), None
     figure = Figure(kind, [], size if len(size) > 1 else (), noun.word, way=noun.way)
+    if noun.word == "pair" and (not isinstance(content, Chain) or len(content.parts) != 2):
+        raise Unclear  # of what stands side by side, or of what lies on what
     figure.counted = isinstance(content, Noun) and content.count > 0
     if isinstance(content, Chain):
-        figure.blocks = [_storey(scene, of, resolve) for of in reversed(content.parts)]
-        figure.told = True
-        if kind != "tower" or noun.made.startswith("from") or len(set(figure.blocks)) < len(figure.blocks):
-            raise Unclear
+        _told_in_turn(scene, figure, noun, content, resolve)
     elif content is not None:
         if isinstance(content, Noun) and content.noun == "one" and content.color and content.count and not content.det:
             content = replace(content, noun="block")  # "a row of three red blocks behind a row of three blue ones"
@@ -208,8 +213,8 @@ def _made(scene: Scene, noun: Noun, kind: str, resolve: Resolve) -> int:
         alike = [f for f in scene.figures if f.kind == kind]
         if noun.det == "another" and not size and alike and noun.color:
             size = (len(alike[-1].blocks),)
-        if not noun.color and any(scene.blocks[f.blocks[0]].color for f in scene.figures):
-            raise Unclear  # of the same colour as that one, or of another
+        if not noun.color and any(scene.blocks[f.blocks[0]].color or f.stage < 0 for f in scene.figures):
+            raise Unclear  # of the same colour as that one, or of another; of its blocks, or of others
         usual = kind == "plus" or (kind in DRAWN and noun.color)
         if usual and not size and scene.stock:
             raise Unclear  # of those that there are
@@ -218,22 +223,37 @@ def _made(scene: Scene, noun: Noun, kind: str, resolve: Resolve) -> int:
     if noun.color and any(scene.blocks[n].color != noun.color for n in figure.blocks):
         raise Unclear
     _check_size(figure, size, noun)
-    if len(figure.blocks) < 2 or any(n in f.blocks for f in scene.figures for n in figure.blocks):
+    kept = [f for f in scene.figures if scene.at_start or not scene.may_change(f)]
+    if len(figure.blocks) < 2 or any(n in f.blocks for f in kept for n in figure.blocks):
         raise Unclear
-    if noun.order and not figure.alternates:
-        _put_in_order(scene, figure, noun.order)
+    if noun.order in {"reversed", "kept"}:
+        as_at_start(scene, figure, back=noun.order == "reversed")
+    elif noun.order not in {"", "listed"} and not figure.alternates:
+        put_in_order(scene, figure, noun.order)
     scene.figures.append(figure)
     scene.here = here  # "it" is the figure, not what it is made of
     return len(scene.figures) - 1
 
 
-def _storey(scene: Scene, phrase: Phrase, resolve: Resolve) -> int:
-    """A block of a tower told from top to bottom: one that is a part of another figure is not meant again."""
+def _told_in_turn(scene: Scene, figure: Figure, noun: Noun, content: Chain, resolve: Resolve) -> None:
+    """A tower from top to bottom, or a row from the right, of which the blocks are listed."""
+    for of in reversed(content.parts):
+        figure.blocks.append(_storey(scene, of, resolve, figure.blocks))
+    upright = figure.kind == "tower" or (noun.order == "listed" and figure.kind == "row")
+    if not upright or noun.made.startswith("from") or len(set(figure.blocks)) < len(figure.blocks):
+        raise Unclear
+    figure.told, figure.sided = True, figure.kind == "row"
+
+
+def _storey(scene: Scene, phrase: Phrase, resolve: Resolve, below: list[int]) -> int:
+    """A block of a tower told from top to bottom: one that lies below, or elsewhere, is not meant again."""
     told = isinstance(phrase, Noun) and phrase.color and not phrase.det and phrase.count < 2
     if told and isinstance(phrase, Noun):
         like = [n for n, block in enumerate(scene.blocks) if block.color == phrase.color]
-        if like and all(scene.figure_of(n) for n in like):
+        if like and all(n in below or scene.figure_of(n) for n in like):
             return scene.new_blocks(1, phrase.color)[0]
+    if isinstance(phrase, Noun) and phrase.noun == "one" and phrase.det == "a" and phrase.color:
+        phrase = replace(phrase, noun="block")
     return _one(scene, phrase, resolve)
 
 
@@ -257,7 +277,7 @@ def _check_size(figure: Figure, size: tuple[int, ...], noun: Noun) -> None:
     """What is said of the size has to fit the blocks. A square of four is two by two, one of nine is filled."""
     many, kind = len(figure.blocks), figure.kind
     if kind not in _SOLID:
-        unlike = size and size[0] != many and kind in {"tower", "row", "column", "staircase", "pyramid"}
+        unlike = size and size[0] != many and kind in _COUNTED
         if len(size) > 1 or unlike or (kind == "staircase" and not steps(many)):
             raise Unclear
         return
@@ -276,18 +296,6 @@ def _check_size(figure: Figure, size: tuple[int, ...], noun: Noun) -> None:
         raise Unclear
     figure.size = size if kind in {"wall", "cube"} else (size[1], size[0])
     figure.kind = "grid" if kind == "square" else kind
-
-
-def _put_in_order(scene: Scene, figure: Figure, order: str) -> None:
-    """ "In alphabetical order", "descending": by what its blocks show; from the left, or from the bottom up."""
-    labels = [scene.blocks[n].label for n in figure.blocks]
-    letters = order == "alphabetical"
-    if figure.kind not in {"row", "line", "tower"} or figure.told:
-        raise Unclear
-    if not all(label.isalpha() if letters else label.isdigit() for label in labels):
-        raise Unclear
-    figure.blocks.sort(key=lambda n: scene.blocks[n].label, reverse=order == "descending")
-    figure.told = figure.sided = figure.in_order = True
 
 
 def has_first(figure: Figure) -> bool:
@@ -354,8 +362,10 @@ def whole_figures(scene: Scene, noun: Noun, resolve: Resolve) -> list[Figure]:
         if isinstance(noun.of, Noun) and noun.of.noun in {"row", "column", "layer", "step"}:
             return [line_of(held, noun.of.noun, ref.ids)]
         raise Unclear
+    if noun.color and (own := _of_color(scene, noun.color)) is not None:
+        return [own]
     for spoken in (scene.here, scene.before):
-        found = {n for ref in spoken if ref.kind == "figure" for n in ref.ids}
+        found = {n for ref in spoken if ref.kind == "figure" for n in ref.ids} - {*scene.placed}
         if len(found) == 1:
             scene.mention(Ref("figure", list(found)))
             return [scene.figures[found.pop()]]
@@ -364,6 +374,12 @@ def whole_figures(scene: Scene, noun: Noun, resolve: Resolve) -> list[Figure]:
     if len(scene.figures) == 1:
         return [scene.figures[0]]
     raise Unclear
+
+
+def _of_color(scene: Scene, color: str) -> Figure | None:
+    """ "The middle red block": of several figures, the one that all red blocks are of."""
+    own = {n for n, block in enumerate(scene.blocks) if block.color == color}
+    return next((f for f in scene.figures if set(f.blocks) == own and not f.implied and len(scene.figures) > 1), None)
 
 
 def within(scene: Scene) -> bool:

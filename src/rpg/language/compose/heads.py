@@ -128,7 +128,8 @@ class Heads(Measures):
             return  # "whose centers are 8 cm apart" tells a distance
         following = self.items[behind].value if behind < len(self.items) else ""
         word = item.value or (following if kind in {"word", "equation"} else "")
-        yield replace(noun, noun=kind, many=noun.many or item.many, word=word), behind + (word != item.value)
+        end = behind + (word != item.value)
+        yield replace(noun, noun=kind, many=noun.many or item.many, word="pair" if text == "pair" else word), end
         if kind == "block" and self.text(at + 1) in {"tower", "row"} and noun.count:
             size = (noun.count,)
             yield replace(noun, count=0, size=size, noun=self.text(at + 1), many=self.items[at + 1].many), at + 2

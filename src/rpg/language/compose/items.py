@@ -9,7 +9,7 @@ from rpg.language import lexicon
 from rpg.language.tokens import Token
 
 _FIGURES = {
-    "tower": "tower stack skyscraper pillar", "row": "row", "line": "line", "column": "column", "grid": "grid",
+    "tower": "tower stack skyscraper pillar pair", "row": "row", "line": "line", "column": "column", "grid": "grid",
     "wall": "wall", "pyramid": "pyramid", "staircase": "staircase stairs stairway", "square": "square",
     "plus": "plus cross", "circle": "circle ring", "triangle": "triangle", "word": "word",
     "group": "group cluster bunch", "equation": "equation sum", "cube": "", "L": "", "T": "", "V": "", "U": "",

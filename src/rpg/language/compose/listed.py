@@ -1,30 +1,17 @@
-"""Several things of one phrase: what shows a letter or a digit, what is counted alike, rows at opposite sides."""
+"""Several things of one phrase: what shows a letter or a digit, and what is counted alike."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
 
-from rpg.language.compose.figures import ALL, OPPOSITE, TOWARD, Resolve
-from rpg.language.compose.items import FIGURES, shows
-from rpg.language.compose.scene import Fact, Ref, Scene, Unclear
+from rpg.language.compose.figures import ALL, Resolve
+from rpg.language.compose.items import shows
+from rpg.language.compose.scene import Ref, Scene, Unclear
 from rpg.language.compose.syntax import Both, Label, Noun, Phrase
 
 _WORTH = {"bottom": 1, "short": 1, "top": -1, "tall": -1}
 """Whether the lowest or the highest number comes first."""
-
-
-def face_each_other(scene: Scene, parts: Sequence[Phrase], resolve: Resolve) -> list[Ref]:
-    """ "a back row of three red blocks and a front row of two": figures at opposite sides of each other."""
-    nouns = [part for part in parts if isinstance(part, Noun) and part.noun in FIGURES and part.det in {"a", ""}]
-    ranks = [part.ranks[0] for part in nouns if len(part.ranks) == 1]
-    if len(parts) != 2 or len(ranks) != 2 or OPPOSITE.get(ranks[0]) != ranks[1]:
-        return []
-    refs = [resolve(scene, replace(part, ranks=())) for part in nouns]
-    if any(ref.kind != "figure" or len(ref.ids) != 1 or not ref.fresh for ref in refs):
-        raise Unclear
-    scene.facts.append(Fact(Ref("figure", refs[0].ids), TOWARD[ranks[0]], Ref("figure", refs[1].ids)))
-    return refs
 
 
 def counted_alike(parts: Sequence[Phrase]) -> list[Phrase]:

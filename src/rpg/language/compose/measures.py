@@ -25,6 +25,8 @@ _ALTERNATING = (
     "that alternate", "which alternate between", "of alternating",
 )  # fmt: skip
 _UPWARD = frozenset({"from the bottom up", "from bottom to top", "from bottom up", "bottom to top"})
+_RUNNING = tuple(f"{run} {way}" for run in ("running", "going", "that runs", "which runs", "extending")
+                 for way in ("from front to back", "front to back", "from back to front"))  # fmt: skip
 _WAYS: dict[str, tuple[str, ...]] = {
     "staircase": ("rising to", "going up to", "ascending to", "climbing to", "that rises to", "rising towards",
                   "going up towards", "which rises to", "leading up to"),
@@ -135,18 +137,24 @@ class Measures(Text):
             end = start + 3 + (self.text(start + 3) == "block")
             yield replace(noun, order="alternating", word=" ".join(colors), size=many, content=None), end
 
+    def sorted_so(self, at: int) -> Iterator[tuple[str, str, int]]:
+        """ "ascending from bottom to top": the order, to which side it goes if this is told, and where it ends."""
+        for order, ways in _ORDERS.items():
+            for end in {self.past_any(at, way) for way in ways} - {0}:
+                up, right = self.past_any(end, *_UPWARD), self.past_any(end, "from left to right", "left to right")
+                yield order, "top" if up else "right" if right else "", up or right or end
+
     def ordered(self, noun: Noun, at: int) -> Iterator[tuple[Noun, int]]:
         """ "in alphabetical order", "ascending from left to right", "rising to the right", "open to the left"."""
         yield from self._alternating(noun, at)
         start = at + (self.text(at) == ",")
         if noun.noun == "column" and (end := self.past_any(start, "going away from me", "away from me")):
             yield noun, end
-        upright = noun.noun == "tower"
-        for order, ways in _ORDERS.items():
-            for end in {self.past_any(start, way) for way in ways} - {0}:
-                told = self.past_any(end, *(_UPWARD if upright else ("from left to right", "left to right")))
-                if told or not upright:
-                    yield replace(noun, order=order), told or end
+        if noun.noun == "column" and (end := self.past_any(start, *_RUNNING)):
+            yield replace(noun, way="far"), end
+        for order, way, end in self.sorted_so(start):
+            if (way == "top") if noun.noun == "tower" else (way != "top"):
+                yield replace(noun, order=order), end
         if end := self.past_any(start, *_WAYS.get(noun.noun, ())):
             end += self.text(end) == "the"
             way = RANK.get(self.text(end), "")

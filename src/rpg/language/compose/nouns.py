@@ -6,11 +6,13 @@ from dataclasses import replace
 from itertools import combinations
 
 from rpg.language.compose.chosen import chosen
-from rpg.language.compose.figures import ALL, TOWARD, figures_of, has_first, is_farthest, part, within
+from rpg.language.compose.figures import ALL, figures_of, has_first, is_farthest, part, within
 from rpg.language.compose.items import FIGURES, PARTS, SYMBOL_KINDS
-from rpg.language.compose.listed import by_worth, counted_alike, face_each_other, symbols
+from rpg.language.compose.lined import feet
+from rpg.language.compose.listed import by_worth, counted_alike, symbols
+from rpg.language.compose.others import others, take
 from rpg.language.compose.pronouns import pronoun
-from rpg.language.compose.scene import Patch, Ref, Scene, Unclear
+from rpg.language.compose.scene import TOWARD, Patch, Ref, Scene, Unclear
 from rpg.language.compose.syntax import Both, Chain, Label, Listing, Noun, Phrase, Pronoun
 
 _HIGH = {"top": "tall", "bottom": "short"}
@@ -51,9 +53,13 @@ def _both(scene: Scene, phrase: Both) -> Ref:
     """Several: all of one kind, or told of one by one."""
     if phrase.either:
         return _one_of(scene, phrase)
-    refs = face_each_other(scene, phrase.parts, resolve) or [
-        resolve(scene, part) for part in counted_alike(phrase.parts)
-    ]
+    refs = [resolve(scene, part) for part in counted_alike(phrase.parts)]
+    mixed = {ref.kind for ref in refs} == {"block", "figure"} and all(ref.fresh for ref in refs)
+    if mixed and not any(ref.bound or ref.no or ref.each or ref.rest for ref in refs):
+        if any(ref.kind == "block" and len(ref.ids) > 1 for ref in refs):
+            raise Unclear
+        scene.here = [ref for ref in scene.here if ref not in refs]
+        return scene.mention(Ref("mixed", [n for ref in refs for n in feet(scene, ref)], fresh=True))
     if len({ref.kind for ref in refs}) > 1 or any(ref.bound or ref.no or ref.each for ref in refs):
         raise Unclear
     if any(isinstance(part, Label) and part.label.isdigit() for part in phrase.parts) and not all(
@@ -95,7 +101,7 @@ def _noun(scene: Scene, noun: Noun) -> Ref:
     if noun.noun not in FIGURES | {"one", "sign"} and (noun.content is not None or noun.size or noun.word):
         raise Unclear
     if noun.det == "other" and noun.noun not in PARTS:
-        return _others(scene, noun)
+        return others(scene, noun)
     of_figure = noun.noun in PARTS or noun.ranks or noun.nth
     if by_worth(scene, noun):
         return symbols(scene, noun, resolve)
@@ -119,7 +125,7 @@ def _noun(scene: Scene, noun: Noun) -> Ref:
         left = [n for n in scene.whole if n not in scene.taken]
         if not scene.taken or not left or not scene.alike(left):
             raise Unclear
-        return _take(scene, left[:1])
+        return take(scene, left[:1])
     if noun.noun == "one" and noun.color and noun.det == "the" and not noun.ranks:
         own = [n for n, f in enumerate(scene.figures) if {scene.blocks[b].color for b in f.blocks} == {noun.color}]
         like = [n for n, block in enumerate(scene.blocks) if block.color == noun.color]
@@ -147,12 +153,12 @@ def _by_rank(scene: Scene, noun: Noun) -> Ref:
     if noun.nth and not noun.ranks:
         left = [n for n in scene.whole if n not in scene.taken]
         if scene.whole and noun.nth == len(scene.whole) and len(left) == 1:
-            return _take(scene, left)
+            return take(scene, left)
         raise Unclear
     if noun.ranks == ("last",):
         left = [n for n in scene.whole if n not in scene.taken]
         if len(left) == 1:
-            return _take(scene, left)
+            return take(scene, left)
         raise Unclear
     if not scene.figures:
         return of_two(scene, noun)
@@ -181,54 +187,6 @@ def of_two(scene: Scene, noun: Noun) -> Ref:
     return Ref(both.kind, found)
 
 
-def _take(scene: Scene, ids: list[int]) -> Ref:
-    scene.taken += [n for n in ids if n not in scene.taken]
-    return Ref("block", ids)
-
-
-def _others(scene: Scene, noun: Noun) -> Ref:
-    """Those of the last lot that were not yet told of by themselves, or the other one of two figures or patches."""
-    of_figure = scene.subject is not None and scene.subject[0] == "figure" and noun == Noun("other", noun=noun.noun)
-    if noun.noun in FIGURES or (of_figure and noun.noun in {"", "one"}):
-        spoken = {n for told in (scene.here, scene.before) for ref in told if ref.kind == "figure" for n in ref.ids}
-        if of_figure and scene.subject is not None:
-            spoken = set(scene.subject[1])
-        left = [n for n in range(len(scene.figures)) if n not in spoken]
-        if len(left) != (noun.count or 1) or not spoken:
-            raise Unclear
-        return Ref("figure", left)
-    if noun.noun == "patch":
-        raise Unclear
-    left = [n for n in scene.whole if n not in scene.taken]
-    if noun.ranks or noun.nth or noun.content is not None:
-        raise Unclear
-    if not scene.taken and (apart := _spared(scene)):
-        if noun.count not in {0, len(apart)} or noun.color or not (noun.many or noun.count > 1):
-            raise Unclear
-        return Ref("block", apart)
-    if not scene.taken or not left or (noun.count and noun.count != len(left)):
-        raise Unclear
-    if not noun.count and noun.many != (len(left) > 1):
-        raise Unclear
-    if scene.instead and scene.patches and not noun.noun:
-        raise Unclear  # the other block, or the other patch
-    if noun.color and any(scene.blocks[n].color != noun.color for n in left):
-        raise Unclear
-    return _take(scene, left)
-
-
-def _spared(scene: Scene) -> list[int]:
-    """ "The rest" of the only figure there is, of blocks of which others were spoken of by themselves."""
-    figures = [figure for figure in scene.figures if not figure.implied]
-    if len(figures) != 1:
-        return []
-    plain = [n for n in figures[0].blocks if not scene.blocks[n].color and not scene.blocks[n].label]
-    if 0 < len(plain) < len(figures[0].blocks):
-        return plain  # "the others are white"
-    told = {n for ref in scene.refs("block") for n in ref.ids if len(ref.ids) < len(figures[0].blocks)}
-    return [n for n in figures[0].blocks if n not in told] if told & set(figures[0].blocks) else []
-
-
 def _some_of(scene: Scene, noun: Noun) -> Ref:
     """So many of a lot: any of those that look alike, of which nothing was said yet."""
     here = list(scene.here)
@@ -238,7 +196,8 @@ def _some_of(scene: Scene, noun: Noun) -> Ref:
         noun = replace(noun, det="", count=1)
     if noun.of is None and not scene.whole:
         raise Unclear
-    whole = resolve(scene, noun.of) if noun.of is not None else Ref("block", list(scene.whole))
+    them = Pronoun("both") if noun.det == "both" and noun.of == Pronoun("them") else noun.of
+    whole = resolve(scene, them) if them is not None else Ref("block", list(scene.whole))
     scene.here = here  # those that are meant are spoken of, not those that they are some of
     of_one = noun.of == Pronoun("them") and len(whole.ids) == 1
     if whole.kind == "figure" and (noun.noun in {"block", "one"} or of_one):
@@ -281,7 +240,7 @@ def _some_of(scene: Scene, noun: Noun) -> Ref:
             raise Unclear
         chosen = [left[scene.choose(len(left))]]  # each is at another place
     rest = [n for n in ids if n not in chosen] if noun.bound != "least" else []
-    return replace(_take(scene, chosen), rest=rest, bound=noun.bound)
+    return replace(take(scene, chosen), rest=rest, bound=noun.bound)
 
 
 def _some_figures(scene: Scene, ids: list[int], count: int, bound: str) -> Ref:
@@ -352,12 +311,12 @@ def _blocks(scene: Scene, noun: Noun) -> Ref:
             raise Unclear
         if scene.whole != stock:
             scene.whole, scene.taken = list(stock), []
-        return replace(_take(scene, left[:count]), fresh=True)
+        return replace(take(scene, left[:count]), fresh=True)
     if noun.det == "another" and like:
         left = [n for n in scene.whole if n not in scene.taken]
         if not scene.taken or not left or left[0] not in like:
             raise Unclear
-        return replace(_take(scene, left[:count]), fresh=True)
+        return replace(take(scene, left[:count]), fresh=True)
     if not noun.color and any(not block.color and not block.label for block in scene.blocks):
         raise Unclear
     ids = scene.new_blocks(count, noun.color)

@@ -21,11 +21,12 @@ from rpg.language.compose.syntax import (
     Phrase,
     Predicate,
     Pronoun,
+    counted,
     is_figure,
 )
 from rpg.language.compose.words import Ways, remembered
 
-_PRONOUNS = frozenset({"it", "they", "them", "this", "that", "these", "those", "both", "neither"})
+_PRONOUNS = frozenset({"it", "they", "them", "this", "that", "these", "those", "both", "neither", "each"})
 _SIGNS = {"plus": "+", "minus": "-", "equals": "=", "times": "*", "equal": "="}
 _DETS = {
     "a": "a", "an": "a", "the": "the", "each": "each", "every": "each", "all": "all", "both": "both", "no": "no",
@@ -285,28 +286,12 @@ class Phrases(Contents):
         if noun.noun in FIGURES or (noun.noun == "one" and noun.det in {"a", "another"}):
             figures: Ways[Noun] = []
             for measured, end in [(noun, at), *self.measured(noun, at)]:
-                figures.append((measured, end))
-                made = "of" if self.text(end) in {"of", ",", ":"} else "from"
-                made = "from the" if made == "from" and self.text(end + 1) == "the" else made
-                for of, stop in self._content(end):
-                    if noun.noun == "staircase" and isinstance(of, Noun) and of.noun == "tower":
-                        of = replace(of, noun="block")  # stacks of such blocks are its steps
-                    listed = isinstance(of, Listing)
-                    if isinstance(of, Chain | Listing) and not (measured.det or measured.count or measured.many):
-                        continue  # "stack red on blue" is no stack that is spoken of
-                    each = stop + 1 if self.text(stop) == "each" else stop
-                    told = "each" if each > stop or self.text(end) == "each" else "of" if listed else made
-                    full = replace(measured, content=of, made=told)
-                    figures += [(full, each), *self.measured(full, each)]
-                    figures += [(full, each + 1)] if listed and self.text(each) == "," else []
-                    if isinstance(of, Noun) and of == Noun(count=of.count, noun="block", many=True):
-                        lots = self._listing(each + 1) if made == "of" and self.text(each) in {",", ":"} else []
-                        sized = replace(measured, size=(of.count,), made="of")
-                        figures += [
-                            (replace(sized, content=lot), last + (self.text(last) == ",")) for lot, last in lots
-                        ]
+                figures += [(measured, end), *self._filled(measured, end)]
+                if start := self.past_any(end, "of", ":", ",", ", of"):
+                    figures += self.in_turn(measured, start)
             found += [*figures[1:], *(way for figure, end in figures for way in self.ordered(figure, end))]
-            found += self._one_by_one(noun, at)
+            plain = [(one, end) for one, end in figures if one.content is None or counted(one.content)]
+            found += [way for figure, end in plain for way in self.one_by_one(figure, end)]
             if noun.noun in {"row", "column"} and noun.det == "the" and (noun.ranks or noun.nth):
                 found += [(replace(noun, of=whole), stop) for whole, stop in self._whole(at) if is_figure(whole)]
         elif noun.noun != "table":
@@ -317,26 +302,40 @@ class Phrases(Contents):
                 found += self._at_a_part(noun, at)
         return found
 
-    def _one_by_one(self, noun: Noun, at: int) -> Ways[Phrase]:
-        """ "two rows: a back row of three and a front row of two"."""
-        if self.text(at) not in {":", ","} or noun.noun not in FIGURES or noun.count < 2:
-            return []
-        told = [(both, end) for both, end in self.phrase(at + 1) if isinstance(both, Both)]
-        return [
-            (both, end) for both, end in told
-            if len(both.parts) == noun.count
-            and all(isinstance(part, Noun) and part.noun == noun.noun and part.det == "a" for part in both.parts)
-        ]  # fmt: skip
+    def _filled(self, noun: Noun, at: int) -> Iterator[tuple[Noun, int]]:
+        """What figures are made of; what "four" are may be told behind it: "of four, out of two red and two blue"."""
+        apart = at + (self.text(at) == ",")
+        of_each = self.text(apart) in {"each", "both"} or self.text(apart + 2) == "both"
+        made = "of" if self.text(at) in {"of", ",", ":"} else "from"
+        made = "from the" if made == "from" and self.text(at + 1) == "the" else made
+        for of, stop in self._content(at):
+            if noun.noun == "staircase" and isinstance(of, Noun) and of.noun == "tower":
+                of = replace(of, noun="block")  # stacks of such blocks are its steps
+            if isinstance(of, Chain | Listing) and not (noun.det or noun.count or noun.many):
+                continue  # "stack red on blue" is no stack that is spoken of
+            each = stop + 1 if self.text(stop) == "each" else stop
+            alike = noun.count > 1 and self.text(at) == "of" and isinstance(of, Chain)
+            listed = isinstance(of, Listing)
+            told = "each" if each > stop or of_each or alike else "of" if listed else made
+            full = replace(noun, content=of, made=told)
+            yield full, each
+            yield from self.measured(full, each)
+            if listed and self.text(each) == ",":
+                yield full, each + 1
+            if isinstance(of, Noun) and counted(of) and not noun.size:
+                more = self.text(each) if self.text(each) not in {"of", "in"} else ""
+                yield from self._filled(replace(noun, size=(of.count,)), each) if more else ()
 
     def _at_a_part(self, noun: Noun, at: int) -> Iterator[tuple[Phrase, int]]:
         """ "the one at the far right corner", "the block at the other end", "the letter that is in the middle"."""
         whichever = self.text(at - 2) == "whichever"  # "whichever letter is in the middle"
         lead = self.past_any(at, *(_STANDS if whichever else _THAT_STANDS))
-        start = self.past_any(lead or at, "at the", "in the", "on the")
+        own = self.past_any(lead or at, "at its", "in its")
+        start = own or self.past_any(lead or at, "at the", "in the", "on the")
         other = self.text(start) == "other" if start else False
         for part, end in self._head(start + other, noun) if start else ():
             if part.noun in PARTS:
-                told = replace(part, det="other" if other else "the")
+                told = replace(part, det="other" if other else "the", of=Pronoun("it") if own else None)
                 if part.noun == "end":  # a block, so that it is on top of it that something lies
                     told = replace(told, noun=noun.noun, ranks=(*part.ranks, "end"))
                 yield told, end

@@ -19,7 +19,8 @@ _BARE: dict[str, tuple[str, ...]] = {
     "right": ("on the right", "to the right", "at the right", "at the right end"),
     "front": ("in front",),
     "behind": ("behind", "in back", "at the back"),
-    "free": ("free", "clear", "uncovered", "bare", "empty"),
+    "free": ("free", "clear", "uncovered", "bare"),
+    "empty": ("empty",),
     "table": ("on the table", "on the ground"),
     "flat": ("without being stacked", "not stacked", "flat on the table", "unstacked"),
     "side by side": ("side by side", "next to each other", "beside each other", "next to one another"),
@@ -40,6 +41,13 @@ _BARE: dict[str, tuple[str, ...]] = {
     "alone": ("alone", "by themselves", "on their own", "on its own"),
 }
 BARE = sorted(((words.split(), place) for place, ways in _BARE.items() for words in ways), key=lambda way: -len(way[0]))
+_RISING = ("in order of height", "by height", "sorted by height", "ordered by height",
+           *(f"from {the}short{er} to {the}tall{er}" for the in ("", "the ") for er in ("", "er", "est")))  # fmt: skip
+_FALLING = tuple(f"from {the}tall{er} to {the}short{er}" for the in ("", "the ") for er in ("", "er", "est"))
+_TO_RISE = ("the heights rising", "heights rising", "rising", "rising in height", "the heights increasing",
+            "increasing in height", "getting taller", "growing taller")  # fmt: skip
+_IN_LINE = frozenset({"top", "bottom", "middle", "left", "right"})
+"""Where something is a part of what it is told of, if it is said to be "at" it."""
 _HOW = {
     "directly": "directly", "right": "immediately", "immediately": "immediately", "straight": "directly",
     "flat": "flat", "somewhere": "somewhere", "anywhere": "somewhere",
@@ -63,10 +71,12 @@ class Places(Phrases):
         found: Ways[Place] = []
         for words, name in BARE:
             if end := self.past(at, words):
-                found.append((Place(name), end))
+                found.append((Place(name, how="at" if words[0] in {"at", "in"} and name in _IN_LINE else ""), end))
         if side := self.past_any(at, "to its", "on its", "at its", "in its"):
             name = {"left": "left", "right": "right", "front": "front"}.get(self.text(side), "")
             found += [(Place(name, Pronoun("it")), side + 1 + (self.text(side + 1) == "side"))] if name else []
+        found += [(Place("sorted", how=order, side=side), end) for order, side, end in self.sorted_so(at)]
+        found += self._by_height(at)
         found += self._region(at)
         for how, start in self._how(at):
             if how.cm and (end := self.past_any(start, "apart", "apart from each other", "away from each other")):
@@ -80,6 +90,17 @@ class Places(Phrases):
                         for thing, stop in self.phrase(end)
                     ]
         return found
+
+    def _by_height(self, at: int) -> Iterator[tuple[Place, int]]:
+        """ "the heights rising to the right", "from shortest to tallest"."""
+        if end := self.past_any(at, *_RISING):
+            yield Place("rising"), end
+        if end := self.past_any(at, *_FALLING):
+            yield Place("rising", side="fall"), end
+        for side in ("left", "right"):
+            end = self.past_any(at, *(f"{rise} {to} the {side}" for rise in _TO_RISE for to in ("to", "towards")))
+            if end:
+                yield Place("rising", side=side), end
 
     def shared(self, at: int) -> Ways[Place]:
         """ "to the left" of "to the left or right of it": what it is to is told behind."""

@@ -13,22 +13,28 @@ _OPPOSITE = {"left": "right", "right": "left", "front": "behind", "behind": "fro
 
 def pronoun(scene: Scene, word: str) -> Ref:
     """The one thing, or the one lot, that was spoken of last and that it can stand for."""
+    if word == "these blocks":  # not what they form already
+        return scene.here[0]
     if word == "which":
         return _last(scene)
     if word == "neither":
         if len(scene.patches) != 2:
             raise Unclear
         return Ref("patch", [0, 1], no=True)
-    many = word in {"they", "their", "them", "these", "those", "both"}
-    for spoken in (scene.here, scene.before):
+    if word == "that one":  # of several that were told of
+        some = [ref for ref in scene.before if ref.rest and len(ref.ids) == 1]
+        return replace(some[0], rest=[], bound="") if len(some) == 1 else pronoun(scene, "it")
+    many = word in {"they", "their", "them", "these", "those", "both", "each"}
+    earlier = scene.earlier[::-1] if word == "both" else []  # two that were told of farther back
+    for spoken in (scene.here, scene.before, *earlier):
         fits = [ref for ref in spoken if (len(ref.ids) > 1) == many and ref.kind != "table"]
         fits = [ref for ref in fits if not _is_subject(scene, ref)]
-        if many and not fits and spoken is scene.before and len(scene.figures) > 1:
-            if any(figure.implied for figure in scene.figures):
-                raise Unclear
-            fits = [Ref("figure", list(range(len(scene.figures))))]
         if word == "both":
             fits = [ref for ref in fits if len(ref.ids) == 2] or _pair(scene, spoken)
+        if many and not fits and spoken is scene.before and len(scene.figures) > 1:
+            if any(figure.implied for figure in scene.figures) or (word == "both" and len(scene.figures) > 2):
+                raise Unclear
+            fits = [Ref("figure", list(range(len(scene.figures))))]
         if many and not fits:
             fits = _one_of_several(scene, spoken)
         if not fits:
@@ -43,9 +49,16 @@ def pronoun(scene: Scene, word: str) -> Ref:
             (n for n, f in enumerate(scene.figures) if f.kind == "tower" and set(f.blocks) == set(first.ids)), None
         )
         if first.kind == "block" and whole is not None:
-            return Ref("figure", [whole])
-        return replace(first, fresh=False, each=False, bound="", no=False)
+            return _of_each_of_them(scene) if word in {"both", "each"} else Ref("figure", [whole])
+        return replace(first, fresh=False, each=word == "each", bound="", no=False)
     raise Unclear
+
+
+def _of_each_of_them(scene: Scene) -> Ref:
+    """ "(A and B form a tower, C and D another one,) both ...": the figures, not the blocks of the last one."""
+    if len(scene.figures) != 2 or any(figure.implied for figure in scene.figures):
+        raise Unclear
+    return Ref("figure", [0, 1], each=True)
 
 
 def _others(scene: Scene, spoken: Sequence[Ref]) -> list[Ref]:

@@ -6,12 +6,15 @@ from dataclasses import replace
 from itertools import combinations
 
 from rpg.language.compose.figures import whole_figures
+from rpg.language.compose.lined import rise
 from rpg.language.compose.nouns import resolve
+from rpg.language.compose.ordering import put_in_order
 from rpg.language.compose.places_of import places, steps
 from rpg.language.compose.scene import SIDES, Fact, Figure, Ref, Scene, Unclear
 from rpg.language.compose.syntax import Both, Noun, Phrase, Place
 
 _RELATIONS = {"next": "next to", "near": "near", "far": "far from", "touch": "touch"}
+_HOW = {"top": "", "directly": "directly ", "immediately": "immediately ", "somewhere": "somewhere ", "": ""}
 _BARE_PLACES = frozenset({"top", "bottom", "middle", "left", "right", "front", "behind"})
 
 
@@ -37,7 +40,7 @@ def tops_of(scene: Scene, ref: Ref) -> list[int]:
 def bare(scene: Scene, ref: Ref, said: Place) -> None:
     """A place that is told without what it is a place of."""
     name = said.relation
-    if name == "free" and ref.kind == "patch" and not said.no:
+    if name in {"free", "empty"} and ref.kind == "patch" and not said.no:
         scene.facts += [Fact(Ref("patch", [n]), "empty") for n in ref.ids]
     elif name in {"free", "table", "flat"} and ref.kind == "block" and not ref.bound:
         word = {"free": "clear", "table": "table", "flat": "table"}[name]
@@ -64,10 +67,17 @@ def bare(scene: Scene, ref: Ref, said: Place) -> None:
         ]
     elif name == "any order" and not said.no:
         _in_any_order(scene, ref)
+    elif name == "sorted" and ref.kind == "figure" and not said.no:
+        for figure in (scene.figures[n] for n in ref.ids):
+            if (figure.kind == "tower") != (said.side == "top"):
+                raise Unclear  # which end is the first one
+            put_in_order(scene, figure, said.how)
+    elif name == "rising" and not said.no:
+        rise(scene, ref, said.side)
     elif name == "in turn" and ref.kind == "figure" and len(ref.ids) == 2 and not said.no:
         scene.facts.append(Fact(Ref("figure", ref.ids[1:]), "behind", Ref("figure", ref.ids[:1])))
     elif name in _BARE_PLACES:
-        _in_figure(scene, ref, name, no=said.no)
+        _in_figure(scene, ref, name, no=said.no, inside=said.how == "at" and name in SIDES)
     else:
         raise Unclear
 
@@ -97,7 +107,8 @@ def at_part(scene: Scene, ref: Ref, part: Noun, *, no: bool) -> None:
     if ref.kind != "block" or len(owners) != 1 or [owners[0]] != [scene.figures[n] for n in own]:
         raise Unclear
     figure = owners[0]
-    at = places(figure, (*part.ranks, part.noun), part.nth, len(ref.ids))
+    noun = () if part.noun in {"one", "block"} else (part.noun,)
+    at = places(figure, (*part.ranks, *noun), part.nth, len(ref.ids))
     if no:
         _bar(scene, figure, ref.ids, at)
     elif len(ref.ids) == len(at) > 1 and scene.alike(ref.ids):
@@ -106,6 +117,9 @@ def at_part(scene: Scene, ref: Ref, part: Noun, *, no: bool) -> None:
     elif len(ref.ids) == 1 and (len(at) == 1 or part.det in {"a", "any"}):
         _put_there(scene, figure, ref.ids[0], at[scene.choose(len(at))])
         figure.sided |= bool({"left", "right"} & set(part.ranks)) or len(at) > 1
+        if set(figure.blocks) <= scene.spare:
+            raise Unclear  # "with the smallest number on top": that one, or all of them in order
+        figure.free |= not scene.alike([n for n in figure.blocks if n not in figure.placed.values()] or figure.blocks)
     else:
         raise Unclear
 
@@ -120,13 +134,15 @@ def _bar(scene: Scene, figure: Figure, ids: list[int], at: list[int]) -> None:
 
 
 def _put_there(scene: Scene, figure: Figure, block: int, at: int) -> None:
+    if figure.told and scene.blocks[figure.blocks[at]].look == scene.blocks[block].look:
+        return  # this is told again
     if figure.told or figure.placed.get(at, block) != block:
         raise Unclear
     figure.placed[at] = block
     scene.place = (figure, at)
 
 
-def _in_figure(scene: Scene, ref: Ref, name: str, *, no: bool) -> None:
+def _in_figure(scene: Scene, ref: Ref, name: str, *, no: bool, inside: bool) -> None:
     """ "on top", "at the left end": in the figure that was spoken of, if it is one of its blocks; else on or beside."""
     spoken = [r for refs in (scene.here, scene.before) for r in refs if r.kind == "figure" and r is not ref]
     if ref.kind == "block" and len(ref.ids) == 1 and (own := scene.figure_of(ref.ids[0])) is not None:
@@ -160,7 +176,7 @@ def _in_figure(scene: Scene, ref: Ref, name: str, *, no: bool) -> None:
         return
     if name == "top" and ref.kind == "block":
         on(scene, ref, Ref("block", tops_of(scene, last)), "on", no=False)
-    elif name in SIDES and ref.ids != last.ids:
+    elif name in SIDES and ref.ids != last.ids and not inside:
         scene.facts.append(Fact(ref, SIDES[name], last))
     else:
         raise Unclear
@@ -260,6 +276,9 @@ def on(scene: Scene, ref: Ref, target: Ref, word: str, *, no: bool) -> None:
         if figure.kind != "tower" and len(ref.ids) > 1:
             scene.pending.append((ref.ids, figure.blocks))
             return
+    rows = [scene.figures[r.ids[0]] for r in (ref, target) if r.kind == "figure" and len(r.ids) == 1]
+    if len(rows) == 2 and all(row.kind == "row" and scene.alike(row.blocks) for row in rows):  # each on another one
+        ref, target = (Ref("block", row.blocks) for row in rows)
     if target.kind == "figure" or (target.kind == "block" and len(target.ids) > 1 and len(ref.ids) == 1):
         target = Ref("block", tops_of(scene, target))
     upper = ref.ids
@@ -287,6 +306,9 @@ def on(scene: Scene, ref: Ref, target: Ref, word: str, *, no: bool) -> None:
         if word == "on" and not no and (tower := next((f for f in scene.figures if f.blocks[-1] == b), None)):
             if tower.implied:
                 tower.blocks.append(a)
+        elif word == "on" and not no and (under := next((f for f in scene.figures if f.blocks[0] == a), None)):
+            if under.implied:
+                under.blocks.insert(0, b)
         elif word == "on" and not no and not any({a, b} & set(f.blocks) for f in scene.figures):
             scene.figures.append(Figure("tower", [b, a], told=True, implied=True))
 
@@ -295,6 +317,9 @@ def _beside(scene: Scene, ref: Ref, target: Ref, said: Place) -> None:
     """Sides, distances, touch."""
     if ref.bound or target.kind == "table":
         raise Unclear
+    wide = ref.kind == "figure" and any(scene.figures[n].kind != "tower" for n in ref.ids)
+    if wide and target.kind == "block" and scene.figure_of(target.ids[0]) is not None:
+        raise Unclear  # "a column behind the left end of a row": all of it behind that block alone
     some = (
         [Ref(ref.kind, [n]) for n in ref.ids]
         if ref.each or said.no or said.relation in {"touch", "apart", "far"}
@@ -317,9 +342,9 @@ def _beside(scene: Scene, ref: Ref, target: Ref, said: Place) -> None:
 
 
 def _facts_beside(a: Ref, b: Ref, said: Place) -> list[Fact]:
-    how = {"top": "", "directly": "directly ", "immediately": "immediately ", "somewhere": "somewhere ", "": ""}[
-        said.how
-    ]
+    if said.how not in _HOW:
+        raise Unclear
+    how = _HOW[said.how]
     bound = {"": "", "least": "at least ", "most": "at most ", "exactly": ""}[said.bound]
     far = [Fact(a, f"{bound}{said.cm:g} cm from", b, no=said.no)] if said.cm else []
     if said.relation in SIDES:

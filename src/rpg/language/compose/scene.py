@@ -7,11 +7,15 @@ from dataclasses import dataclass, field
 
 from rpg.language.frames.pieces import Unclear
 
-__all__ = ["SIDES", "Block", "Fact", "Figure", "Impossible", "Patch", "Ref", "Scene", "Unclear"]
+__all__ = [
+    "OPPOSITE", "SIDES", "TOWARD", "Block", "Fact", "Figure", "Impossible", "Patch", "Ref", "Scene", "Unclear",
+]  # fmt: skip
 
 
 SIDES = {"left": "to the left of", "right": "to the right of", "front": "in front of", "behind": "behind"}
 """How facts tell on which side something is."""
+TOWARD = {"left": SIDES["left"], "right": SIDES["right"], "near": SIDES["front"], "far": SIDES["behind"]}
+OPPOSITE = {"left": "right", "right": "left", "near": "far", "far": "near"}
 
 
 class Impossible(Unclear):
@@ -69,7 +73,8 @@ class Figure:
 
 @dataclass(slots=True)
 class Ref:
-    """What a phrase stands for: `kind` "block", "figure", "patch" or "table", with the numbers of those in the scene.
+    """What a phrase stands for: `kind` "block", "figure", "patch" or "table", with the numbers of those in the scene;
+    "mixed" are single blocks and the lowest ones of towers.
 
     `each`: what is said is said of each by itself. `bound`: "exactly" or "most" of `ids` and `rest`. `fresh`: they are
     told of for the first time, as some or other ones. `no`: it is said of none of them. `every`: it is said of
@@ -108,11 +113,13 @@ class Scene:
 
     `stock`: lots that the text says there are; `whole` is the lot of which some were told apart last, `taken` those.
     `subject` is what something is being said of, `place` the one of a figure that was told last, `around`
-    what the clause ahead puts something at: in which relation, and whether it was told as "it".
+    what the clause ahead puts something at: in which relation, and whether it was told as "it"; `placed` are figures
+    that are put somewhere, so that it is no part of them that they are put at.
     `pending`: blocks that lie somewhere on others, and it has still to be said on which of them. `lines`: towers that
-    stand in a row. `instead`: what "or" tells besides what was taken; `spare`: of these
-    some were singled out, so that nothing need be said of the others. `script`: which of several ways to have it are
-    taken, one after the other; `choices`: of how many each was one.
+    stand in a row; `facing`: figures told by their sides, as "the left tower" and "the right one". `instead`: what
+    "or" tells besides what was taken; `spare`: of these some were singled out, so that nothing need be said of the
+    others. `script`: which of several ways to have it are taken, one after the other; `choices`: of how many each was
+    one.
     """
 
     blocks: list[Block] = field(default_factory=list)
@@ -125,13 +132,17 @@ class Scene:
     taken: list[int] = field(default_factory=list)
     before: list[Ref] = field(default_factory=list)
     here: list[Ref] = field(default_factory=list)
+    earlier: list[list[Ref]] = field(default_factory=list)
     lots: int = 0
     stage: int = 0
+    at_start: bool = False
     subject: tuple[str, list[int]] | None = None
     place: tuple[Figure, int] | None = None
+    placed: list[int] = field(default_factory=list)
     around: tuple[str, Ref, bool] | None = None
     pending: list[tuple[list[int], list[int]]] = field(default_factory=list)
     lines: list[list[int]] = field(default_factory=list)
+    facing: dict[str, int] = field(default_factory=dict)
     instead: list[Ref] = field(default_factory=list)
     spare: set[int] = field(default_factory=set)
     script: tuple[int, ...] = ()
@@ -167,11 +178,12 @@ class Scene:
 
     def next_clause(self) -> None:
         if self.here:
+            self.earlier.append(self.before)
             self.before, self.here = self.here, []
 
     def figure_of(self, block: int) -> Figure | None:
-        """The figure that a block is a part of."""
-        return next((f for f in self.figures if block in f.blocks), None)
+        """The figure that a block is a part of, the one told last where it is taken from another."""
+        return next((f for f in reversed(self.figures) if block in f.blocks), None)
 
     def may_change(self, figure: Figure) -> bool:
         """Whether a figure is there at the start and need not stay."""

@@ -24,16 +24,21 @@ class Series(Heads):
 
     def _colors(self, at: int) -> Iterator[tuple[Phrase, int]]:
         """ "the red, green and blue patches": one of each colour."""
-        start = at + (self.text(at) == "the")
-        colors: list[str] = []
-        while color := lexicon.COLOR.get(self.text(start)):
-            colors.append(color)
-            last = self.past_any(start + 1, "and", ", and")
-            start = last or start + 1 + (self.text(start + 1) == ",")
+        colors, start = self.color_list(at + (self.text(at) == "the"))
         noun = self.text(start)
         kind = "patch" if noun in PATCH else FIGURE.get(noun, "block" if noun == "block" else "")
-        if start > at + 1 and len({*colors}) == len(colors) > 1 and kind and self.items[start].many:
+        if colors and kind and self.items[start].many:
             yield Both(tuple(Noun(det="the", color=color, noun=kind) for color in colors)), start + 1
+
+    def color_list(self, at: int) -> tuple[list[str], int]:
+        """ "red, green and blue": several colours, and where they end."""
+        colors: list[str] = []
+        start = end = at
+        while start and (color := lexicon.COLOR.get(self.text(start))):
+            colors.append(color)
+            end = start + 1
+            start = self.past_any(end, "and", ", and", ",") or end
+        return (colors, end) if len({*colors}) == len(colors) > 1 else ([], at)
 
     def _range(self, at: int) -> Iterator[tuple[Phrase, int]]:
         """ "1 to 4", "A through E"."""

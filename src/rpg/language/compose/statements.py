@@ -8,19 +8,19 @@ from dataclasses import replace
 from functools import partial
 from itertools import pairwise, permutations
 
+from rpg.language.compose.forming import forms
 from rpg.language.compose.items import PARTS
-from rpg.language.compose.lined import line_up
 from rpg.language.compose.nouns import resolve
+from rpg.language.compose.one_each import each_of_a_new_one, one_by_one, one_for_each
 from rpg.language.compose.pronouns import landmark
 from rpg.language.compose.relating import at_part, bare, between, in_region, on, place, tops_of
-from rpg.language.compose.scene import SIDES, Fact, Impossible, Ref, Scene, Unclear
-from rpg.language.compose.subjects import check_said, check_subject, there_is, told_of_figures
+from rpg.language.compose.scene import Fact, Impossible, Ref, Scene, Unclear
+from rpg.language.compose.subjects import check_said, check_subject, one_of_it, there_is, told_of_figures
 from rpg.language.compose.syntax import (
     STAY,
     TOWER,
     Among,
     Bears,
-    Both,
     Chain,
     Clause,
     Either,
@@ -40,6 +40,8 @@ from rpg.language.compose.syntax import (
     on_an_end,
 )
 
+_THE_BLOCK, _THE_ONE = Noun(det="the", noun="block"), Noun(det="the", noun="one")
+
 
 def say(scene: Scene, clause: Clause) -> None:
     """Puts what a clause says into the scene. Raises Unclear where it does not say it clearly."""
@@ -49,6 +51,7 @@ def say(scene: Scene, clause: Clause) -> None:
         return
     if clause.mood == "start" and STAY in clause.predicates:
         raise Unclear
+    scene.at_start = clause.mood == "start"
     facts, figures = len(scene.facts), len(scene.figures)
     _say(scene, clause)
     if clause.later:
@@ -152,12 +155,15 @@ def _say(scene: Scene, clause: Clause) -> None:
         and not subject.color
         and not subject.ranks
     ):
-        _one_by_one(scene, subject, clause.predicates)
+        one_by_one(scene, subject, clause.predicates)
         return
-    if _each_of_a_new_one(subject, clause.predicates):
-        _one_for_each(scene, subject, clause.predicates[0])
+    own = one_of_it(scene, clause)
+    if own is None and each_of_a_new_one(subject, clause.predicates):
+        one_for_each(scene, subject, clause.predicates[0])
         return
-    ref = resolve(scene, subject)
+    if clause.mood != "may" and _is_at(scene, subject, clause.predicates):
+        return
+    ref = own or resolve(scene, subject)
     check_subject(scene, clause, ref)
     check_said(clause, ref)
     if clause.aside is not None:
@@ -182,6 +188,18 @@ def _say(scene: Scene, clause: Clause) -> None:
     scene.place_barred()
     if clause.predicates and ref.kind == "block":
         scene.used.update(ref.ids)
+
+
+def _is_at(scene: Scene, subject: Phrase, said: Sequence[Predicate]) -> bool:
+    """ "The middle one is the white block", "B is the last one": tells which block of a figure is at a place of it."""
+    like = said[0].like if len(said) == 1 and isinstance(said[0], Looks) else None
+    for block, there in ((like, subject), (subject, like)):
+        known = isinstance(block, Noun) and replace(block, color="") in (_THE_BLOCK, _THE_ONE) and block.color
+        ranked = isinstance(there, Noun) and (there.ranks or there.nth) and not (there.color or there.many)
+        if block and isinstance(there, Noun) and ranked and (isinstance(block, Label) or known):
+            at_part(scene, resolve(scene, block), there, no=False)
+            return True
+    return False
 
 
 def _aside(scene: Scene, ref: Ref, clause: Clause) -> None:
@@ -214,61 +232,6 @@ def _stacked(scene: Scene, chain: Chain) -> None:
         scene.used.update(ref.ids)
 
 
-def _one_by_one(scene: Scene, subject: Noun, said: Sequence[Predicate]) -> None:
-    """ "one on each end": where those are that lie somewhere on the figure told before."""
-    upper, lower = scene.pending.pop()
-    if (
-        subject.noun not in {"", "one", "block"}
-        or len(said) != 1
-        or not isinstance(said[0], Place)
-        or said[0].of is None
-    ):
-        raise Unclear
-    target = resolve(scene, said[0].of)
-    if (
-        said[0].relation != "on"
-        or said[0].no
-        or target.kind != "block"
-        or not target.each
-        or not set(target.ids) <= set(lower)
-    ):
-        raise Unclear
-    scene.used -= set(upper)
-    on(scene, Ref("block", upper), Ref("block", target.ids), "on", no=False)
-
-
-def _each_of_a_new_one(subject: Phrase, said: Sequence[Predicate]) -> bool:
-    """Whether there is a further one for each of those that it is put on."""
-    if len(said) != 1 or not isinstance(said[0], Place) or said[0].no:
-        return False
-    target = said[0].of
-    if isinstance(target, Both) and all(isinstance(part, Noun) and (part.nth or part.ranks) for part in target.parts):
-        target = Noun(det="both")  # "on the second and the fourth"
-    if not isinstance(subject, Noun) or not isinstance(target, Noun):
-        return False
-    several = any_number(subject)
-    if said[0].relation != "on" and target.det != "each":
-        return False  # to the left of both of them at once
-    if target.det not in {"each", "both", "all"} and not (several and target.det == "the" and target.count > 1):
-        return False
-    one = subject.det in {"a", "another"} or (not subject.det and subject.count == 1 and not subject.bound)
-    return several or (one and not subject.of and not subject.many and subject.count < 2)
-
-
-def _one_for_each(scene: Scene, subject: Phrase, said: Predicate) -> None:
-    """ "a white block on each end": as many white blocks as there are ends."""
-    assert isinstance(said, Place) and said.of is not None and isinstance(subject, Noun)
-    target = resolve(scene, said.of)
-    if said.relation not in {"on", "next", *SIDES} or target.no or target.bound or on_an_end(said):
-        raise Unclear
-    for n in target.ids:
-        one = resolve(scene, replace(subject, det="a", many=False, count=0))
-        if not one.fresh:
-            raise Unclear
-        place(scene, one, Ref(target.kind, [n]), said)
-        scene.used.update(one.ids)
-
-
 def _said(scene: Scene, ref: Ref, said: Predicate) -> None:
     if isinstance(said, Either):
         _one_place(scene, ref, said)
@@ -288,12 +251,17 @@ def _said(scene: Scene, ref: Ref, said: Predicate) -> None:
             raise Unclear  # a block or a patch of that colour
         if said.relation == "on" and only_color and any(scene.blocks[n].label for n in ref.ids if ref.kind == "block"):
             raise Unclear  # a block, or the colour of the block with the symbol
+    if ref.kind == "mixed" and isinstance(said, Place) and said == Place("side by side"):
+        ref = replace(ref, kind="block")
+    rising = isinstance(said, Place) and said.relation == "rising"
+    if ref.kind == "mixed" and not isinstance(said, Made) and not rising:
+        raise Unclear
     if ref.no:
         if not isinstance(said, Place) or said.of is None:
             raise Unclear
         said, ref = replace(said, no=not said.no), replace(ref, no=False)
     if isinstance(said, Made):
-        _forms(scene, ref, said.figure)
+        forms(scene, ref, said.figure)
     elif isinstance(said, Looks):
         _looks(scene, ref, said.like)
     elif isinstance(said, Bears):
@@ -305,52 +273,33 @@ def _said(scene: Scene, ref: Ref, said: Predicate) -> None:
     elif said.of is None:
         bare(scene, ref, said)
     else:
-        of = said.of
-        if said.relation == "in" and isinstance(of, Noun) and of.noun in PARTS and ref.kind == "block":
-            at_part(scene, ref, of, no=said.no)
-            return
-        if said.relation == "between":
-            between(scene, ref, of, said)
-            return
-        if isinstance(of, Noun) and of.det == "another":
-            raise Unclear
-        around, scene.around = landmark(scene, said), None
-        target = scene.mention(around) if around else resolve(scene, of)
-        if len(target.ids) == 1:
-            scene.around = (said.relation, target, of == Pronoun("it"))
-        if target.either and (said.no or len(ref.ids) > 1 or ref.each):
-            raise Unclear  # on none of them, or not on one; all on one, or some on each
-        named = isinstance(of, Noun) and of.det == "the" and not of.many
-        if target.fresh and not named and target.kind == "block" and (ref.each or len(ref.ids) > len(target.ids)):
-            raise Unclear  # one for each, or one for all
-        place(scene, ref, target, said)
+        _placed(scene, ref, said)
 
 
-def _forms(scene: Scene, ref: Ref, phrase: Phrase) -> None:
-    """These blocks form a figure."""
-    if ref.kind == "figure" and isinstance(phrase, Noun) and phrase.noun in {"row", "line"} and len(ref.ids) > 1:
-        if phrase.content is not None or phrase.det not in {"a", ""} or phrase.color:
-            raise Unclear
-        line_up(scene, ref.ids, from_left=phrase.ranks == ("left",))
+def _placed(scene: Scene, ref: Ref, said: Place) -> None:
+    """It is somewhere to something else."""
+    of = said.of
+    assert of is not None
+    if said.relation == "in" and isinstance(of, Noun) and of.noun in PARTS and ref.kind == "block":
+        at_part(scene, ref, of, no=said.no)
         return
-    if ref.kind != "block" or not isinstance(phrase, Noun) or phrase.content is not None or ref.each:
+    if said.relation == "between":
+        between(scene, ref, of, said)
+        return
+    if isinstance(of, Noun) and of.det == "another":
         raise Unclear
-    if ref.bound == "exactly" and phrase == TOWER:  # none of the others is on another
-        scene.facts += [Fact(Ref("block", [n]), "table") for n in ref.rest]
-    elif ref.bound:
-        raise Unclear
-    if phrase.count > 1 or phrase.det not in {"a", ""} or phrase.color:
-        raise Unclear
-    in_order = phrase.ranks == ("left",)
-    if in_order and len({scene.blocks[n].look for n in ref.ids}) < len(ref.ids):
-        raise Unclear
-    made = replace(phrase, det="a", ranks=(), content=Pronoun("them"))
-    here, scene.here = scene.here, [Ref("block", ref.ids)]
-    subject, scene.subject = scene.subject, None
-    figure = scene.figures[resolve(scene, made).ids[0]]
-    scene.here, scene.subject = [*here, *scene.here[1:]], subject
-    if in_order:
-        figure.told = figure.sided = True
+    around, scene.around = landmark(scene, said), None
+    scene.placed = ref.ids if ref.kind == "figure" else []
+    target = scene.mention(around) if around else resolve(scene, of)
+    scene.placed = []
+    if len(target.ids) == 1:
+        scene.around = (said.relation, target, of == Pronoun("it"))
+    if target.either and (said.no or len(ref.ids) > 1 or ref.each):
+        raise Unclear  # on none of them, or not on one; all on one, or some on each
+    named = isinstance(of, Noun) and of.det == "the" and not of.many
+    if target.fresh and not named and target.kind == "block" and (ref.each or len(ref.ids) > len(target.ids)):
+        raise Unclear  # one for each, or one for all
+    place(scene, ref, target, said)
 
 
 def _looks(scene: Scene, ref: Ref, like: Phrase) -> None:

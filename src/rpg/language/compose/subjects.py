@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from rpg.language.compose.facing import SIDED
+from rpg.language.compose.figures import ALL
 from rpg.language.compose.items import FIGURES
 from rpg.language.compose.scene import SIDES, Ref, Scene, Unclear
 from rpg.language.compose.syntax import (
@@ -16,11 +18,15 @@ from rpg.language.compose.syntax import (
     Looks,
     Noun,
     Place,
+    Pronoun,
     Shares,
     is_figure,
 )
 
 _BESIDE = frozenset({*SIDES, "next", "near", "far"})
+_LINED = frozenset({"tower", "row", "line", "column"})
+_UPON = frozenset({"top", "left", "right"})
+_ITS = (None, Pronoun("it"))
 _MUTUAL = frozenset({"touching", "side by side", "apart"})
 
 
@@ -31,6 +37,7 @@ def told_of_figures(scene: Scene, clause: Clause) -> Clause:
         return clause
     if not isinstance(subject, Noun) or subject.content is not None or subject.of is not None:
         raise Unclear
+    subject = _at_its_side(scene, subject)
     if subject.det == "other" and len(scene.figures) == 1 and subject.noun in {"", "one", *FIGURES}:
         subject = replace(subject, det="another", noun=scene.figures[0].kind)
     elif (
@@ -40,6 +47,41 @@ def told_of_figures(scene: Scene, clause: Clause) -> Clause:
     ):
         raise Unclear
     return replace(clause, subject=replace(subject, content=said[0].like, made="of"), predicates=clause.predicates[1:])
+
+
+def _at_its_side(scene: Scene, noun: Noun) -> Noun:
+    """ "The left tower", "the tower on the right", where no others were told of: it is told of for the first time."""
+    where = noun.that[0] if len(noun.that) == 1 else None
+    rank = noun.ranks[0] if len(noun.ranks) == 1 else ""
+    if isinstance(where, Place) and where.of is None and not where.no:
+        rank = {"front": "near", "behind": "far"}.get(where.relation, where.relation)
+    if rank not in SIDED or noun.det != "the" or noun.noun not in FIGURES or len(scene.figures) > len(scene.facing):
+        return noun
+    return replace(noun, det="a", ranks=(rank,), that=())
+
+
+def one_of_it(scene: Scene, clause: Clause) -> Ref | None:
+    """ "(A row of two reds and three blues,) with a blue one in the middle", "with a red one at each end": blocks of
+    the figure that was told last, which are at these places of it. None where they may be further ones."""
+    subject, said = clause.subject, clause.predicates[0] if len(clause.predicates) == 1 else None
+    if not isinstance(said, Place) or said.no or not isinstance(subject, Noun):
+        return None
+    new = replace(subject, color="", noun="", det="") == Noun() and subject.color and subject.det == "a"
+    ends = isinstance(said.of, Noun) and said.of.noun == "end" and said.of.det in ALL and said.of.of in _ITS
+    inside = said.how == "at" or (ends and said.relation == "in")
+    last = next((ref for ref in scene.before if ref.kind == "figure" and len(ref.ids) == 1), None)
+    figure = scene.figures[last.ids[0]] if last is not None else None
+    if not new or not (inside or said.relation in _UPON) or figure is None or figure.kind not in _LINED or figure.told:
+        return None
+    like = [n for n in figure.blocks if scene.blocks[n].color == subject.color and n not in figure.placed.values()]
+    count = 2 if ends else 1
+    if len(like) < count:
+        return None
+    if not inside and scene.alike(figure.blocks):
+        return None
+    if not inside or not scene.alike(like):
+        raise Unclear  # one of them, or a further one
+    return scene.mention(Ref("block", like[:count]))
 
 
 def check_subject(scene: Scene, clause: Clause, ref: Ref) -> None:
@@ -63,7 +105,7 @@ def check_subject(scene: Scene, clause: Clause, ref: Ref) -> None:
 
 def there_is(scene: Scene, ref: Ref, mood: str) -> None:
     """Blocks that are told of by themselves are those that the rest of the text is about."""
-    if ref.kind == "patch" and mood == "there":
+    if (ref.kind == "patch" and mood == "there") or ref.kind == "mixed":
         return
     if mood == "in" and ref.kind == "block" and all(scene.blocks[n].label for n in ref.ids) and not scene.whole:
         scene.whole, scene.taken = list(ref.ids), []

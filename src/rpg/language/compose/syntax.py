@@ -84,7 +84,8 @@ Phrase = Listing | Noun | Label | Pronoun | Both | Chain
 class Place:
     """A relation to something.
 
-    `how`: "directly", "immediately", "somewhere" or nothing; `cm` with `bound`: a distance; `no`: it is denied.
+    `how`: "directly", "immediately", "somewhere" or nothing; `cm` with `bound`: a distance; `no`: it is denied; `side`:
+    where an order goes.
     """
 
     relation: str
@@ -93,6 +94,7 @@ class Place:
     cm: float = 0.0
     bound: str = ""
     no: bool = False
+    side: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -184,11 +186,16 @@ class Clause:
     other: Clause | None = None
 
 
-def is_figure(phrase: Phrase) -> bool:
-    """Whether a phrase tells a figure, alone or among others."""
+def is_figure(phrase: Phrase, but: str = "") -> bool:
+    """Whether a phrase tells a figure, alone or among others; one of another kind than `but`."""
     if isinstance(phrase, Both):
-        return any(map(is_figure, phrase.parts))
-    return isinstance(phrase, Noun) and phrase.noun in FIGURES
+        return any(is_figure(part, but) for part in phrase.parts)
+    return isinstance(phrase, Noun) and phrase.noun in FIGURES - {but}
+
+
+def counted(phrase: Phrase) -> bool:
+    """ "Three", "three blocks": no more than how many they are."""
+    return isinstance(phrase, Noun) and phrase == Noun(count=phrase.count, noun="block", many=True)
 
 
 def any_number(noun: Noun) -> bool:

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 
 from rpg.blocks.nouns import article, join, number
 from rpg.language import lexicon
+from rpg.language.compose.facing import check_facing
 from rpg.language.compose.lined import FROM_LEFT, IN_A_ROW, IN_ORDER
 from rpg.language.compose.places_of import DRAWN, columns, steps
 from rpg.language.compose.scene import Block, Fact, Figure, Ref, Scene, Unclear
@@ -17,14 +18,14 @@ _MANY = 7
 """Of so many blocks that look alike not each one can be told apart."""
 
 
-def tell_all(scenes: Sequence[Scene]) -> str:
-    """What scenes have in common, and what is so in one or another of them."""
+def tell_all(scenes: Sequence[Scene]) -> tuple[str, list[str]]:
+    """What scenes have in common, and what is so in one or another of them; and each of them by itself."""
     if not any(scene.facts or scene.figures for scene in scenes):
         raise Unclear
     _check_told_of(scenes)
     told = set[int]().union(*map(_told, scenes))
     if len(scenes) == 1:
-        return " ".join(tell(scenes[0], told))
+        return (text := " ".join(tell(scenes[0], told))), [text]
     ways = list({tuple(tell(scene, told)): None for scene in scenes})
     if len({way[0] for way in ways}) > 1 or any(scene.stage for scene in scenes):
         raise Unclear
@@ -32,7 +33,8 @@ def tell_all(scenes: Sequence[Scene]) -> str:
     rest = [[_small(said).rstrip(".") for said in way if said not in common] for way in ways]
     if not all(rest):
         raise Unclear
-    return " ".join([*common, _sentence(f"either {', or '.join(map(' and '.join, rest))}")])
+    either = _sentence(f"either {', or '.join(map(' and '.join, rest))}")
+    return " ".join([*common, either]), [" ".join(way) for way in ways]
 
 
 def _told(scene: Scene) -> set[int]:
@@ -46,6 +48,7 @@ def tell(scene: Scene, told_of: set[int]) -> list[str]:
         raise Unclear
     if not scene.blocks or len(scene.blocks) > _MOST or not (scene.facts or scene.figures):
         raise Unclear
+    check_facing(scene)
     _color_in(scene)
     figures = [figure for figure in scene.figures if not figure.implied]
     last = max((*(figure.stage for figure in figures), *(fact.stage for fact in scene.facts)), default=0)
@@ -170,7 +173,9 @@ def _fact(scene: Scene, fact: Fact) -> str:
         order = f"in the order {', '.join(_name(scene, n) for n in fact.a.ids)}"
         way = f" from left to right {order}" if fact.said == FROM_LEFT else f" {order} in either direction"
         return _sentence(f"{a} must be {IN_A_ROW}{way}")
-    if fact.said == IN_A_ROW or (fact.b is None and fact.said.endswith("of the table")):
+    if fact.b is None and fact.said.startswith("in a grid"):
+        return _sentence(f"{a} must form {fact.said.removeprefix('in ')}")
+    if fact.b is None and fact.said.endswith((IN_A_ROW, "on the table", "of the table")):
         return _sentence(f"{a} must be {fact.said}")
     if fact.said == "empty":
         return _sentence(f"{a} must be empty")

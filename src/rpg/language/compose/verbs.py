@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rpg.language.compose.items import FIGURES, RANK
+from rpg.language.compose.items import FIGURES, PARTS, RANK
 from rpg.language.compose.places import Places
 from rpg.language.compose.syntax import (
     STAY,
@@ -51,6 +51,7 @@ BUILT = tuple(
 )
 _NOT_BOTH = tuple(f"{but} not both{of}" for but in ("but", ", but") for of in ("", " of them"))
 _OTHER = tuple(f"{also} {other}" for also in ("and", ", and", ",") for other in ("one", "the other", "the other one"))
+_INTO = ("in", "into", "as", "to form", "to make", "in the shape of", "out as")
 _PILED = frozenset({"stacked", "piled"})
 _FLAT = frozenset({"patch", "table"})
 
@@ -66,10 +67,7 @@ class Verbs(Places):
     def predicates(self, at: int) -> Ways[tuple[Predicate, ...]]:
         """Places, one after the other: "on the patch and left of A", "off the mat but not on the table"."""
         found: Ways[tuple[Predicate, ...]] = []
-        for into in {self.past_any(at, way) for way in ("in", "into", "as")} - {0}:
-            for figure, end in self.single(into):
-                if isinstance(figure, Noun) and figure.noun in FIGURES and figure.det in {"a", ""}:
-                    found.append(((Made(figure),), end))
+        found += [((Made(figure),), end) for figure, end in self.into(at)]
         found += self._either(at)
         found += self._shares(at)
         for place, end in self.place(at):
@@ -88,6 +86,17 @@ class Verbs(Places):
             for start in ways:
                 more_said = [*self.predicates(start), *(self.verbs(start) if self.text(start - 1) != "," else ())]
                 found += [((place, *more), stop) for more, stop in more_said]
+        return found
+
+    def into(self, at: int) -> Ways[Noun]:
+        """ "in one tower", "in another", "as a row", "in the front row"."""
+        found: Ways[Noun] = []
+        for into in {self.past_any(at, way) for way in _INTO} - {0}:
+            for what, end in self.single(into):
+                if isinstance(what, Noun) and (what.noun in FIGURES or what.noun == "one") and not what.many:
+                    another = what.det in {"another", "other"} or (what.det == "the" and len(what.ranks) == 1)
+                    if another or (what.det in {"a", ""} and what.noun in FIGURES):
+                        found.append((what, end))
         return found
 
     def _shares(self, at: int) -> Ways[tuple[Predicate, ...]]:
@@ -112,7 +121,7 @@ class Verbs(Places):
                 }:
                     found.append(((Either((place, replace(place, relation=side))),), behind + 1))
                 for other, stop in self.place(behind):
-                    one = place if place.of is not None else replace(place, of=other.of)
+                    one = place if place.of is not None else _of_same(place, other)
                     if not one.no and not other.no:
                         found.append(((Either((one, other)),), stop))
         return found
@@ -142,7 +151,8 @@ class Verbs(Places):
             here += self._neither(end)
             if self.text(end) in _PILED:
                 here += [((Made(TOWER), *said), stop) for said, stop in self.predicates(end + 1)]
-                here.append(((Made(TOWER),), end + 1))
+                kept = self.text(end - 1) in {"stay", "stays", "remain", "remains"}
+                here.append(((Made(replace(TOWER, order="kept") if kept else TOWER),), end + 1))
             if stays := self.past_any(end, *STAYS):
                 here.append(((STAY,), stays))
             if denied or not_there > end:  # what is joined to it may be denied, too, or not
@@ -190,6 +200,16 @@ class Verbs(Places):
                 for more, stop in self.single(start):
                     found += [((Bears(what, place), *rest), last) for rest, last in self._borne(more, stop)]
         return found
+
+
+def _of_same(place: Place, other: Place) -> Place:
+    """ "at the top" of "at the top or at the bottom of the tower", "to the left" of "to the left or right of it"."""
+    part = other.of
+    if other.relation != "in" or not isinstance(part, Noun) or part.noun not in PARTS:
+        return replace(place, of=part)
+    sided = place.relation in {"left", "right"}
+    noun, ranks = ("end", (place.relation,)) if sided else (place.relation, ())
+    return replace(other, of=replace(part, noun=noun, ranks=ranks))
 
 
 def opposite_of(said: tuple[Predicate, ...]) -> tuple[Predicate, ...]:

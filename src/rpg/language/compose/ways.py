@@ -40,6 +40,8 @@ def readings(reader: Reader) -> Iterator[tuple[tuple[Clause, ...], list[Scene]]]
             tried += 1
             with suppress(Unclear):
                 clause = _behind(last, step.clause) if last else step.clause
+                if last and last.joined and last.clause.mood == "start" and not reader.led(last.at):
+                    clause = _so_at_start(clause)
                 scenes = [scene for before in told for scene in _said(before, clause)]
                 most = _MOST_OPEN if step.at < len(reader.items) else _MOST_SCENES
                 if not 0 < len(scenes) <= most:
@@ -71,6 +73,12 @@ def _said(told: bytes, clause: Clause) -> list[Scene]:
         if len(scenes) > _MOST_OPEN:
             raise Unclear
     return scenes
+
+
+def _so_at_start(clause: Clause) -> Clause:
+    """ "At the start A is on B and C on D": both are."""
+    said = clause.predicates and clause.mood in {"so", ""}
+    return replace(clause, mood="start") if said else clause
 
 
 def _behind(last: Step, clause: Clause) -> Clause:

@@ -18,7 +18,7 @@ from rpg.language.clauses_apart import MOST, clauses_apart
 from rpg.language.clauses_left_out import clauses_left_out
 from rpg.language.code_lists import with_lists
 from rpg.language.color_classes import with_color_classes
-from rpg.language.compose import composed
+from rpg.language.compose import composed_ways
 from rpg.language.feelings import without_feelings
 from rpg.language.figures_called import with_figures
 from rpg.language.formulas import formulas_told
@@ -254,17 +254,20 @@ class BuiltinFrontEnd:
         """The reading of a text that tells of a figure part by part, with a note of how it was understood; no task and
         no diagnostics if there is none. `parsed`: or of one that is put together in any other way."""
         begun = stands_first(words)
-        retellings = retold(without_asides(with_beginnings(words)))
-        for tokens, said in chain(retellings, composed(words)) if parsed else retellings:
+        retellings = (([tokens], said) for tokens, said in retold(without_asides(with_beginnings(words))))
+        for ways, said in chain(retellings, composed_ways(words)) if parsed else retellings:
             if begun and "t the start" not in said:
                 continue
+            notes_told = [f"understood as: {said}"]
             with suppress(Refusal):
-                task, found = self._read_tokens(
-                    (tokens, []), text, name, seed, author, notes, [f"understood as: {said}"], again=False
-                )
+                read = [
+                    self._read_tokens((way, []), text, name, seed, author, notes, notes_told, again=False)
+                    for way in ways
+                ]
+                task = either_task([task for task, _ in read]) if len(read) > 1 else read[0][0]
                 if task is not None:
                     check_behind(words, task)
-                    return task, found
+                    return task, read[0][1]
         return None, ()
 
     def _as_meant(self, respelt: Respelt, name: str | None, seed: int, author: str | None, notes: list[str]) -> Reading:
@@ -349,7 +352,10 @@ _SPLICED: tuple[Callable[[list[Token]], list[Token] | None], ...] = (
 """How a text that is not understood is punctuated otherwise."""
 _NOT_UNDERSTOOD = frozenset({"misplaced-word", "incomplete"})
 """Why a text is refused that may be understood with its clauses told apart."""
-_PARSED = frozenset({"misplaced-word", "incomplete", "misplaced", "no-referent", "unused-block"})
+_PARSED = frozenset({
+    "misplaced-word", "incomplete", "misplaced", "no-referent", "unused-block", "no-goal", "self-reference",
+    "count-mismatch", "too-many-asked", "order-conflict", "fixed-patch", "contradiction", "support-cycle",
+})  # fmt: skip
 """Why a text is refused that may be parsed otherwise, as it may where it is asked which one of several is meant."""
 _NOT_KNOWN = frozenset({"unknown-word", "misplaced"})
 """Why a text is refused that may be understood without a clause of it, too."""

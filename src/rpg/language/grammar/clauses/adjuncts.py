@@ -240,7 +240,8 @@ def _into(p: Parser, i: int) -> Results[Meaning]:
     for target, k in simple(p, i + 1) if p.words[i : i + 1] == ["to"] and p.words[i + 1] in _ONE else ():
         if isinstance(target, Structure):
             yield Into(structure=target, span=p.span(i, k)), k
-    if (j := p.any_of(i, _IN_ANOTHER)) and _PARTS_OF_TABLE.isdisjoint(p.words[:i]):
+    j = p.any_of(i, _IN_ANOTHER)  # ", both in alphabetical order" is of the one told ahead, too
+    if j and _PARTS_OF_TABLE.isdisjoint(p.words[:i]) and p.words[p.opt(j, ",")] not in {"both", "each"}:
         yield Into(structure=Structure(kind="again", span=p.span(i, j)), span=p.span(i, j)), j
     if j := p.any_of(i, ("so that the equation is right", "so that the equation is correct",
         "so that the equation is true", "so the equation is correct", "so that the equation holds",

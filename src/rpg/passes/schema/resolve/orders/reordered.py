@@ -12,7 +12,7 @@ from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.goals.logic import Atoms
 from rpg.passes.schema.resolve.orders.turned_over import comes_of_reversing
 from rpg.passes.schema.resolve.things.operands import UPRIGHT, crown, on_any
-from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, refuse
+from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, refuse, which_one
 
 FIRST = {"stack": "bottom", "row": "left", "line": "left", "column": "front"}
 LAST = {"bottom": "top", "left": "right", "front": "back", "top": "bottom", "right": "left", "back": "front"}
@@ -229,7 +229,7 @@ def _ordered(theme: Ref, scene: Scene, span: Span) -> Built:
         return built
     node = _begun(built, scene)
     if node is None or node.order.by != "any":
-        raise refuse("ambiguous", "the order of these blocks is not said in full", span, "name its blocks one by one")
+        raise which_one("the order of these blocks is not said in full", span, "name its blocks one by one")
     first = FIRST[built.kind]
     order = Order(by="given", ranks=tuple((n,) for n in built.members), first=first)  # type: ignore[arg-type]
     fixed = (

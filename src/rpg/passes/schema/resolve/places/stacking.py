@@ -16,7 +16,7 @@ from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.goals.logic import conj, disj
 from rpg.passes.schema.resolve.things.operands import check_one_on_many, crown, foot, on_any, spread
 from rpg.passes.schema.resolve.things.things import alike
-from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, refuse
+from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, refuse, which_one
 
 
 @dataclass(frozen=True)
@@ -92,8 +92,7 @@ def vertical(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goa
         plain = mark.quant is None and mark.op == "and" and not loc.negated
         if plain and _both(theme, loc) and _bears(theme, b, scene):
             return across(theme.names[0], b, scene, span)
-        raise refuse(
-            "ambiguous",
+        raise which_one(
             "one block cannot lie on several blocks; it is not clear which is meant",
             loc.span,
             "name one of them, or say 'on both blue blocks'" if len(b) == 2 else "name one of them",

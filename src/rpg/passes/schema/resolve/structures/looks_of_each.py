@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from rpg.language.meaning import Absolute, At, Coord, Noun, OrderBy, Places, Structure, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.structures.sharing import Look, in_turn
-from rpg.passes.schema.resolve.things.world import refuse
+from rpg.passes.schema.resolve.things.world import refuse, which_one
 
 _AXES = {"left": "y", "right": "y", "front": "x", "back": "x"}
 _INSIDE = ("middle", "outer", "inner", "ends")
@@ -76,7 +76,7 @@ def told_looks(spec: Spec, count: int, kind: str = "", colors: Sequence[str] = (
     if said and len(looks) == count - 1 == len(colors) - len(left) and len(left) == 1:
         found = [look or replace(looks[0], traits=Traits(colors=(left[0],))) for look in found]
     if said and None in found:
-        raise refuse("ambiguous", "it is not said of each of them", said[0][0].span, "say one thing of each")
+        raise which_one("it is not said of each of them", said[0][0].span, "say one thing of each")
     return found, _axis(said, kind)
 
 

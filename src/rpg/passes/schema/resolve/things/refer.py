@@ -132,8 +132,7 @@ def _coord(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
         if isinstance(item, Noun):
             seen.append(item.traits)
             if item.det == "each" and (item.part_of is not None or (parts and item.head == "any")):
-                raise refuse("ambiguous", "it is not clear what belongs to 'each'", item.span,
-                             "say it in two sentences")  # fmt: skip
+                raise which_one("it is not clear what belongs to 'each'", item.span, "say it in two sentences")
         parts.append(refer(item, scene, scope))
         if parts[-1].table:
             raise refuse("misplaced", "the table is no block", parts[-1].span, "name blocks")

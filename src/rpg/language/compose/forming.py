@@ -1,0 +1,47 @@
+"""What things that are there form: "A, B and C form a tower", "the two towers stand in a row"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language.compose.facing import face, one_more
+from rpg.language.compose.lined import stand_in
+from rpg.language.compose.nouns import resolve
+from rpg.language.compose.scene import Fact, Ref, Scene, Unclear
+from rpg.language.compose.syntax import TOWER, Noun, Phrase, Pronoun
+
+
+def forms(scene: Scene, ref: Ref, phrase: Phrase) -> None:
+    """These form a figure."""
+    if not isinstance(phrase, Noun):
+        raise Unclear
+    before = scene.figures[ref.ids[0]] if ref.kind == "figure" and len(ref.ids) == 1 else None
+    if before is not None and scene.may_change(before) and not scene.at_start:
+        ref = Ref("block", list(before.blocks))  # what is there is made into something else
+        if phrase.noun == "one":
+            phrase = replace(phrase, noun=before.kind)
+    side = phrase.ranks[0] if phrase.det == "the" and len(phrase.ranks) == 1 else ""
+    phrase = one_more(scene, phrase)
+    if phrase.content is not None or phrase.count > 1 or phrase.det not in {"a", ""} or phrase.color:
+        raise Unclear
+    if ref.kind in {"figure", "mixed"} and len(ref.ids) > 1 and not side:
+        stand_in(scene, ref, phrase)
+        return
+    if ref.kind == "block" and ref.bound == "exactly" and phrase == TOWER:  # none of the others is on another
+        scene.facts += [Fact(Ref("block", [n]), "table") for n in ref.rest]
+    elif ref.bound:
+        raise Unclear
+    if ref.kind != "block" or ref.each or (phrase.noun == "column" and phrase.way):
+        raise Unclear  # in this order, or in any
+    in_order = phrase.ranks == ("left",)
+    if in_order and len({scene.blocks[n].look for n in ref.ids}) < len(ref.ids):
+        raise Unclear
+    made = replace(phrase, det="a", ranks=(), content=Pronoun("these blocks"))
+    here, scene.here = scene.here, [Ref("block", ref.ids)]
+    subject, scene.subject = scene.subject, None
+    figure = scene.figures[resolve(scene, made).ids[0]]
+    scene.here, scene.subject = [*here, *scene.here[1:]], subject
+    if in_order:
+        figure.told = figure.sided = True
+    if side:
+        face(scene, side, scene.figures.index(figure))

@@ -1,0 +1,69 @@
+"""What is left of those that some were told of: "the rest", "the other two", "the other tower"."""
+
+from __future__ import annotations
+
+from rpg.language.compose.items import FIGURES
+from rpg.language.compose.scene import Ref, Scene, Unclear
+from rpg.language.compose.syntax import Noun
+
+
+def take(scene: Scene, ids: list[int]) -> Ref:
+    scene.taken += [n for n in ids if n not in scene.taken]
+    return Ref("block", ids)
+
+
+def others(scene: Scene, noun: Noun) -> Ref:
+    """Those of the last lot that were not yet told of by themselves, or the other one of two figures or patches."""
+    of_figure = scene.subject is not None and scene.subject[0] == "figure" and noun == Noun("other", noun=noun.noun)
+    if noun.noun in FIGURES or (of_figure and noun.noun in {"", "one"}):
+        spoken = {n for told in (scene.here, scene.before) for ref in told if ref.kind == "figure" for n in ref.ids}
+        if of_figure and scene.subject is not None:
+            spoken = set(scene.subject[1])
+        left = [n for n in range(len(scene.figures)) if n not in spoken]
+        if len(left) != (noun.count or 1) or not spoken:
+            raise Unclear
+        return Ref("figure", left)
+    if noun.noun == "patch":
+        raise Unclear
+    one = scene.subject if noun == Noun(det="other", noun=noun.noun) and noun.noun in {"", "one"} else None
+    if one is not None and one[0] == "figure" and len(one[1]) == 1 and len(scene.figures) == 2:
+        if scene.taken or scene.instead:
+            raise Unclear
+        return Ref("figure", [1 - one[1][0]])
+    left = [n for n in scene.whole if n not in scene.taken]
+    if noun.ranks or noun.nth or noun.content is not None:
+        raise Unclear
+    if not scene.taken and (apart := _spared(scene) or _left_there(scene)):
+        if noun.count not in {0, len(apart)} or noun.color or not (noun.many or noun.count > 1):
+            raise Unclear
+        return Ref("block", apart)
+    if not scene.taken or not left or (noun.count and noun.count != len(left)):
+        raise Unclear
+    if not noun.count and noun.many != (len(left) > 1):
+        raise Unclear
+    if scene.instead and scene.patches and not noun.noun:
+        raise Unclear  # the other block, or the other patch
+    if noun.color and any(scene.blocks[n].color != noun.color for n in left):
+        raise Unclear
+    return take(scene, left)
+
+
+def _spared(scene: Scene) -> list[int]:
+    """ "The rest" of the only figure there is, of blocks of which others were spoken of by themselves."""
+    figures = [figure for figure in scene.figures if not figure.implied]
+    if len(figures) != 1:
+        return []
+    plain = [n for n in figures[0].blocks if not scene.blocks[n].color and not scene.blocks[n].label]
+    if 0 < len(plain) < len(figures[0].blocks):
+        return plain  # "the others are white"
+    told = {n for ref in scene.refs("block") for n in ref.ids if len(ref.ids) < len(figures[0].blocks)}
+    return [n for n in figures[0].blocks if n not in told] if told & set(figures[0].blocks) else []
+
+
+def _left_there(scene: Scene) -> list[int]:
+    """ "(Move the top block off,) the other two": those of what is there at the start that this is taken from."""
+    start = [figure for figure in scene.figures if figure.stage < 0]
+    if len(start) != 1 or len(scene.figures) > 1 or scene.subject is None or scene.subject[0] != "block":
+        return []
+    moved = set(scene.subject[1])
+    return [n for n in start[0].blocks if n not in moved] if moved < set(start[0].blocks) else []

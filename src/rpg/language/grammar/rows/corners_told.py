@@ -7,7 +7,7 @@ from rpg.language.grammar.rows.said_short import PUT, THINGS
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import COLOR, MANY, MUST
 
-_FOUR = "(?:the table has |there are )?(?:the |its )?four corners(?: of the table)?"
+_FOUR = "(?:the table has |there are )?(?:the |its )?four corners(?: (?:of|on) the table)?"
 _ONE = f"((?:exactly )?(?:one|an?) (?:{COLOR} )?(?:block|cube|brick))"
 _BLOCK = f"(?:one|an?) ({COLOR} )?(?:block|cube|brick)"
 _TABLE = "(?: of the table)?"
@@ -28,6 +28,7 @@ CORNERS_AT_ONCE: tuple[Turn, ...] = (
 )  # fmt: skip
 """Two lots, each in a corner of which it is not said which; in every sentence."""
 CORNERS_TOLD: tuple[Turn, ...] = (
+    (f" and (?=there are |the table has ){_FOUR}(?= ?[:,].*\\bcorner$)", ""),
     (f"^{_FOUR} ?[:,] (?:four (?:blocks|cubes|bricks) ?[:,] )?(?:{PUT} )?{_ONE} (?:in|into) each(?: of them| one| "
      "corner)?(?: of the table)?$", "put {1} in each corner of the table"),
     (f"^(?:{_FOUR}|(?:two |three )?corners(?: of the table)?) ?[:,] (?=.*\\b(?:near|far|front|back|left|right) "

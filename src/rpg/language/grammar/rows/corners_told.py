@@ -16,7 +16,8 @@ _LOT = f"(?:{THINGS}|the (?:{MANY} )?{COLOR}s)"
 _ALL = "(?:all(?: of)?(?: the)? four|all(?: the)?|the four|each of the four|each|every)"
 
 CORNERS_ACROSS: tuple[Turn, ...] = (
-    (f"(?<![^ ])the table has four corners \\. {PUT} {_ONE} (?:in|into) each(?: of them| one| corner)?(?= \\.|$)",
+    (f"(?<![^ ])(?=the table has |there are ){_FOUR} [.,:] {PUT} {_ONE} (?:in|into) each(?: of them| one| corner)?"
+     "(?= \\.|$)",
      "put {1} in each corner of the table"),
 )  # fmt: skip
 """What is told in two sentences."""

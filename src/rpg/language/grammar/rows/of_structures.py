@@ -9,16 +9,26 @@ from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, LINE, MANY
 
 _PUT = "(?:put|place|set|lay|stack)"
 _SHOWS = "(?:with|showing|bearing|marked|labelled|labeled)"
+_ONE = f"(?: {CUBE}| one| letter| digit| number)?(?: being)?"
+_NEAR = "(?:nearest|closest)(?: to (?:me|us|the robot))?"
+_FAR = "(?:farthest|furthest)(?: away)?(?: from (?:me|us|the robot))?"
 
 OF_STRUCTURES_AT_ONCE: tuple[Turn, ...] = (
     # what is told of the sides or the ends behind it
-    ("^two (stacks|towers|rows|columns|words)(?: ,)? (?:one|the one) (?:to the )?(left|right) of the other(?: :| ,)* "
-     "(?=.*\\bleft (?:one|stack|tower|row|column|word)\\b.*\\bright\\b)", "two {1} : "),
+    (
+        "^two (stacks|towers|rows|columns|words)(?: ,)? (?:one|the one) (?:to the )?(left|right) of the other(?: :| ,)* "
+        "(?=.*\\bleft (?:one|stack|tower|row|column|word)\\b.*\\bright\\b)",
+        "two {1} : ",
+    ),
     (f"\\beach with (an? {COLOR} {CUBE}) as its (top|bottom|base)$", "each with {1} at its {2}"),
-    (f"\\b((?:alphabetical|alphabetically|order|ascending|descending)\\b.*?)(?: ,)?(?: with)? the first(?: {CUBE}| one| "
-     "letter| digit| number)? (?:being )?(nearest|closest|farthest|furthest)(?: (?:to|from) me)?(?:(?: ,)? and the "
-     "last(?: one)?(?: being)? (?:nearest|closest|farthest|furthest)(?: away)?(?: (?:to|from) me)?)?$",
-     "{1} , {2} first"),
+    *(
+        (
+            f"\\b((?:alphabetical|alphabetically|order|ascending|descending)\\b.*?)(?: ,)?(?: with)? the first{_ONE} {first}"
+            f"(?:(?: ,)? and the last{_ONE} {last})?$",
+            f"{{1}} , {way} first",
+        )
+        for first, last, way in ((_NEAR, _FAR, "nearest"), (_FAR, _NEAR, "farthest"))
+    ),
     ("\\bstacked and (?:stand|stands|lie|lies|sit|sits|rest|rests) (?=on )", "stacked "),
     *(
         (f"\\bthe one {_SHOWS} (?:(?:{a}) )?(?:digit |number |letter |label )?({LABEL}){there}", "the block {1}")

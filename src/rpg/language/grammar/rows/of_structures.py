@@ -15,26 +15,16 @@ _FAR = "(?:farthest|furthest)(?: away)?(?: from (?:me|us|the robot))?"
 
 OF_STRUCTURES_AT_ONCE: tuple[Turn, ...] = (
     # what is told of the sides or the ends behind it
-    (
-        "^two (stacks|towers|rows|columns|words)(?: ,)? (?:one|the one) (?:to the )?(left|right) of the other(?: :| ,)* "
-        "(?=.*\\bleft (?:one|stack|tower|row|column|word)\\b.*\\bright\\b)",
-        "two {1} : ",
-    ),
+    ("^two (stacks|towers|rows|columns|words)(?: ,)? (?:one|the one) (?:to the )?(left|right) of the other"
+     "(?: :| ,)* (?=.*\\bleft (?:one|stack|tower|row|column|word)\\b.*\\bright\\b)", "two {1} : "),
     (f"\\beach with (an? {COLOR} {CUBE}) as its (top|bottom|base)$", "each with {1} at its {2}"),
-    *(
-        (
-            f"\\b((?:alphabetical|alphabetically|order|ascending|descending)\\b.*?)(?: ,)?(?: with)? the first{_ONE} {first}"
-            f"(?:(?: ,)? and the last{_ONE} {last})?$",
-            f"{{1}} , {way} first",
-        )
-        for first, last, way in ((_NEAR, _FAR, "nearest"), (_FAR, _NEAR, "farthest"))
-    ),
+    *((f"\\b((?:alphabetical|alphabetically|order|ascending|descending)\\b.*?)(?: ,)?(?: with)? the first{_ONE} "
+       f"{first}(?:(?: ,)? and the last{_ONE} {last})?$", f"{{1}} , {way} first")
+      for first, last, way in ((_NEAR, _FAR, "nearest"), (_FAR, _NEAR, "farthest"))),
     ("\\bstacked and (?:stand|stands|lie|lies|sit|sits|rest|rests) (?=on )", "stacked "),
-    *(
-        (f"\\bthe one {_SHOWS} (?:(?:{a}) )?(?:digit |number |letter |label )?({LABEL}){there}", "the block {1}")
-        for a, there in (("an?|the", " on it"), ("the", ""))
-    ),
-)
+    *((f"\\bthe one {_SHOWS} (?:(?:{a}) )?(?:digit |number |letter |label )?({LABEL}){there}", "the block {1}")
+      for a, there in (("an?|the", " on it"), ("the", ""))),
+)  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 OF_STRUCTURES: tuple[Turn, ...] = (
     ("^(?:please )?(?:block|wall)(?: up)?(?: me| us) (?:up )?(?=an? )", "build "),

@@ -1,4 +1,4 @@
-"""Lists in which a clause may seem to begin: "two red and two blue blocks: a tower", "the letters P, Q and R is ..."."""
+"""Lists in which a clause may seem to begin: "two red and two blue blocks: a tower", "the letters P, Q and R is"."""
 
 from __future__ import annotations
 

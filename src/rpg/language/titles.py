@@ -183,7 +183,10 @@ def _commands(tokens: list[Token]) -> bool:
     """Whether a command begins here, and no list."""
     begin = 1 if tokens[0].word in ("first", "please") else 0
     commands = len(tokens) > begin + 2 and tokens[begin].word in lexicon.COMMANDS
-    return commands and tokens[begin + 1].word not in (",", "and")
+    placed = (
+        commands and tokens[begin].word == "position" and tokens[begin + 1].kind == "number"
+    )  # "row: position 1 red"
+    return commands and not placed and tokens[begin + 1].word not in (",", "and")
 
 
 def _tells_the_sort(token: Token) -> bool:

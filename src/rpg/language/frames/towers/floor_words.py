@@ -39,9 +39,10 @@ def _part(match: re.Match[str]) -> tuple[str, int | None]:
 
 
 def _nth(match: re.Match[str]) -> tuple[int, str | None]:
-    """Which floor it is, and from which end it is counted, if that is told."""
+    """Which floor it is, and from which end it is counted, if that is told; any line has places."""
     said = match["nth"]
-    end = match.groupdict().get("end") or ("bottom" if match.groupdict().get("floor") else None)
+    counted = match.groupdict().get("floor") not in {None, "position", "place"}
+    end = match.groupdict().get("end") or ("bottom" if counted else None)
     return lexicon.ORDINAL[said] if said in lexicon.ORDINAL else number(said), end
 
 

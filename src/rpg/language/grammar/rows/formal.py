@@ -54,7 +54,7 @@ from rpg.language.grammar.rows.labels_counted import labels_counted
 from rpg.language.grammar.rows.labels_there import LABELS_THERE
 from rpg.language.grammar.rows.leave_to_move import leave_to_move
 from rpg.language.grammar.rows.letters_of_a_word import LETTERS_OF_A_WORD, word_of_letters
-from rpg.language.grammar.rows.lines import LINED_AT_ONCE, MIRRORS_AT_ONCE, RAINBOWS_AT_ONCE
+from rpg.language.grammar.rows.lines import LINED_AT_ONCE, MIRRORS_AT_ONCE, PLACES_BY_NUMBER, RAINBOWS_AT_ONCE
 from rpg.language.grammar.rows.listed_lines import listed_lines
 from rpg.language.grammar.rows.listed_of_all import listed_of_all
 from rpg.language.grammar.rows.lots_told import LOTS, LOTS_AT_ONCE
@@ -302,6 +302,7 @@ AT_ONCE, UNREAD, OVER_ALL = (
             *MEMBERS_TOLD,
             *CONTRASTS_ACROSS,
             *BEFORE_AND_AFTER,
+            *PLACES_BY_NUMBER,
             *_LAST_ACROSS,
         )
     ),

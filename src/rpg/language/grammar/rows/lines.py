@@ -118,6 +118,12 @@ LINES_IN_SHORT: tuple[Turn, ...] = (
                           ("(?:starting|beginning) with the first(?: one| block)?", "{3}"))),
 )  # fmt: skip
 """Lines told in few words: every second block, gaps of nothing, initials."""
+PLACES_BY_NUMBER: tuple[Turn, ...] = tuple(
+    (f"^(?=.*\\b(?:row|line|column)\\b)(.*?)\\b(?:position|place|spot|slot)(?: number)? {n}(?: is| has| gets| :| =)? "
+     f"(?=(?:the |an? )?(?:{COLOR}|{LABEL})(?= |$))", f"{{1}} {nth} ")
+    for n, nth in enumerate(("first", "second", "third", "fourth", "fifth", "sixth"), 1)
+)  # fmt: skip
+"""Places of a line by their numbers, over a whole text."""
 LINED_AT_ONCE: tuple[Turn, ...] = (
     # "a row of 6, 2 red and 4 blue": six in all, and no cube that shows a 6
     (f"\\b({_LINE}) of (\\d|{FEW}) , (?=(?:\\d|{FEW}) {COLOR})", "{1} of {2} : "),

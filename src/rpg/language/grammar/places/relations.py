@@ -221,7 +221,13 @@ def _between(p: Parser, i: int) -> Results[Meaning]:
         for landmark, end in noun_phrase(p, k):
             if isinstance(landmark, TableTop):
                 continue
-            yield Loc(rel=name, landmark=landmark, mods=mods, span=p.span(i, end)), end
+            told = p.words[k:end]  # "in between C, and D on C": two are seldom joined so
+            cost = _APART * (told.count(",") == 1 and told[told.index(",") + 1] == "and")
+            yield Loc(rel=name, landmark=landmark, mods=mods, span=p.span(i, end), cost=cost), end
+
+
+_APART = 4
+"""How unlikely it is that a comma and an "and" join the two that something is between."""
 
 
 @choice

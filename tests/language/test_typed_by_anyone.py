@@ -68,3 +68,40 @@ def test_asides_are_left_out(aside: str) -> None:
 def test_what_has_a_meaning_is_no_aside() -> None:
     assert "The green block must stay" in means("Put red on blue, careful not to touch the green one.")
     assert code_of("Put A and B in the corners, I don't care which is where.") == "ambiguous"
+
+
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [
+        ("row: position 1 red, position 2 blue, position 3 green", "from left to right in the order red, blue, green."),
+        ("position 1 red, position 2 blue, in a row", "from left to right in the order red, blue."),
+        ("A to the left, B to the right, in between C, and D on C.",
+         "The C block must be between the A block and the B block. The D block must be on the C block. "
+         "The A block must be to the left of the B block."),
+        ("yellow, on it pink, on it green", "must be stacked from bottom to top in the order yellow, pink, green."),
+        ("A in front, B behind A, C behind B",
+         "The B block must be behind the A block. The C block must be behind the B block."),
+        ("red is 10 cm away from blue, at least", "The red block must be at least 10 cm from the blue block."),
+        ("3x3 square, checkers black and white", "three rows and three columns in a checkerboard pattern."),
+    ],
+)  # fmt: skip
+def test_told_in_few_words(text: str, meant: str) -> None:
+    assert means(text).replace("\n", " ").endswith(meant)
+
+
+def test_places_alone_tell_no_tower() -> None:
+    assert code_of("position 1 red, position 2 blue, position 3 green") == "no-goal"
+    assert code_of("the tower must not be higher than 3. red, blue, green, yellow") == "ambiguous"
+
+
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [
+        ("put the balck cube between the withe ones", "between the two white blocks."),
+        ("stack the thre bule cubes", "There are three blue blocks. The three blue blocks must be stacked."),
+        ("a column of tree blocks: red gren blu, red nearst", "with the red block at the front end."),
+        ("first stack red on blue. when its done put green on the mat", "the green block must be on the gray patch."),
+    ],
+)
+def test_slips_are_mended(text: str, meant: str) -> None:
+    assert means(text).replace("\n", " ").endswith(meant)

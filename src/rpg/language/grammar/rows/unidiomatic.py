@@ -58,6 +58,11 @@ UNIDIOMATIC_AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:please )?({PLACE} {THING}) ({THINGS}) (?:you |please )*(put|place|stack|set)$", "{3} {2} {1}"),
     (f"\\b((?:take|grab|get|lift|pick|pick up) {THING} and(?: then)? (?:put|place|set|lay)) (?=(?:down )?(?:{PLACE}|to"
      "|at) )", "{1} it "),
+    # what is behind another one has that in front
+    (f"^({THING})(?: is| stands)? (?:in|at the) front{AND} ({THING})(?: is| stands)? behind (?:it|that|\\1)"
+     "(?= |$)", "{2} is behind {1}"),
+    # so many blocks, and no block that shows a number
+    (f"\\b((?:tower|stack|pile|row|line)s?\\b.*? (?:higher|taller|longer) than) ({MANY})$", "{1} {2} blocks"),
     # a bound that is told last
     *((f"^({NO_NUMBER})\\b((?:a |an )?{many})\\b({NO_NUMBER})(?: ,|-)? (at least|at most|minimum|maximum|exactly)$",
        "{1} {4} {2} {3}") for many in (LENGTH, MANY)),
@@ -90,6 +95,7 @@ UNIDIOMATIC_AT_ONCE: tuple[Turn, ...] = (
     ("\\bone (?:near|by|next to|beside|close to|near to) (?:an ?|the )?other(?: one)?\\b", "next to each other"),
     (f"\\b((?:is|are|be|lies|stands|lie|stand|lying|standing|sits|placed) )(?:from|at|by) (?:the )?(left|right)(?: "
      f"side)? of (?={THING})", "{1} to the {2} of "),
+    (f"^(?:i|we) (?:would |do )?(?:want|like|wish|need) (?:that )?you (?:to )?(?={_DOES} )", ""),
     ("^(?:i am|we are) (?:wanting|needing|wishing(?: for)?|requiring) ", "i want "),
     (f"\\b(tower|stack|row|line|column|wall) (?:which is |that is )?as (?:high|tall|long) as (?={MANY} "
      f"{CUBE}s\\b)", "{1} of "),

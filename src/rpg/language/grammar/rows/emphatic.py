@@ -16,7 +16,7 @@ _PART = "corner|middle|center|central|end|top|bottom|lowest|highest|topmost|left
 _FIGURE = "(?:[ltuv]|plus|plus sign|cross|pyramid|staircase|wall|grid|figure|shape|letter)"
 
 EMPHATIC_AT_ONCE: tuple[Turn, ...] = (
-    (f"(?: , and| ,| and) all of (?:that|this) (?=(?:{_LIES} |goes )?(?:in|on|onto|inside|within) )", " , all of them "),
+    (f"(?: , and| ,| and) all of (?:that|this) (?=(?:{_LIES} |goes )?(?:in|on|onto|inside) )", " , all of them "),
     ("\\b(?:please |kindly )*do the needful(?: (?:,|:))?(?: (?:and|to|by))?(?: please)? (?=\\w)", ""),
     ("\\bdo not (?:you )?(?:ever )?dare (?:to )?(?=(?:move|touch|put|place|stack|shift|push|turn|lift|use)\\b)",
      "do not "),

@@ -102,3 +102,8 @@ def test_it_is_the_same_thing(text: str, assets: dict[str, int], hold: str, miss
 )  # fmt: skip
 def test_what_could_be_another_is_asked(text: str, code: Any) -> None:
     assert code_of(text) == code
+
+
+def test_each_has_one_of_its_own() -> None:
+    told = {"assets": {"brown": 3, "orange": 3}, "hold": ["orange brown ; orange brown ; orange brown"]}
+    assert_means("each of the three brown cubes has an orange one to its left", told | {"miss": ["brown*  ; orange*"]})

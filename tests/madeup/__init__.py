@@ -11,6 +11,7 @@ from random import Random
 
 from tests.madeup.chance import Chance
 from tests.madeup.kinds import KINDS
+from tests.madeup.quantities import QUANTITIES
 from tests.madeup.relations import related
 from tests.madeup.scenes import MadeUp
 
@@ -18,12 +19,12 @@ __all__ = ["made_up"]
 
 
 def made_up(seed: int, count: int) -> Iterator[MadeUp]:
-    """So many sentences: two thirds place things to each other, the others are of one kind each."""
+    """So many sentences: most place things to each other, the others are of one kind each."""
     rng = Random(seed)
     made = 0
     while made < count:
         chance = Chance(rng)
-        sentence = related(chance) if chance.often(2 / 3) else chance.of(*KINDS)(chance)
+        sentence = related(chance) if chance.often(0.6) else chance.of(*KINDS, *QUANTITIES)(chance)
         if sentence is not None:
             made += 1
             yield sentence

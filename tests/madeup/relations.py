@@ -5,6 +5,7 @@ Those that could be meant in two ways ("the row" where two were named) are not m
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Collection
 
 from tests.madeup.chance import Chance
@@ -21,6 +22,8 @@ OF_IT = {
 }  # fmt: skip
 Tree = tuple[str, Thing, tuple[Placed, ...]]
 """A sentence, what is in the middle of its scene, and what is placed one after the other."""
+_SHOWN = re.compile(r"\bhas the (?:letter )?[A-Z](?: block| cube)? on it")
+"""What is had so may be a block, or what is printed on one."""
 _KINDS = {"row": ("the row", "the line"), "tower": ("the tower", "the stack"), "grid": ("the grid", "the square")}
 
 
@@ -32,7 +35,9 @@ def related(chance: Chance) -> MadeUp | None:
         return None
     text, root, placed = found
     shapes = [root.shape, *(x.thing.shape for x in placed)]
-    if any(shapes.count(kind) > 1 and any(name in text for name in names) for kind, names in _KINDS.items()):
+    if _SHOWN.search(text) or any(
+        shapes.count(kind) > 1 and any(name in text for name in names) for kind, names in _KINDS.items()
+    ):
         return None
     return told(chance.start(text), root, *placed) if shapes.count("patch") < 2 else None
 

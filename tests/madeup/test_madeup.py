@@ -27,4 +27,4 @@ def test_they_depend_on_the_seed_alone() -> None:
 def test_a_wrong_reading_would_be_found() -> None:
     """Each sentence has near misses, so that a task that everything solves is not taken for right."""
     assert all(sentence.hold for sentence in made_up(2, 60))
-    assert sum(bool(sentence.miss) for sentence in made_up(2, 60)) > 50
+    assert sum(bool(sentence.miss) for sentence in made_up(2, 60)) > 45

@@ -28,6 +28,8 @@ CORNERS_AT_ONCE: tuple[Turn, ...] = (
 )  # fmt: skip
 """Two lots, each in a corner of which it is not said which; in every sentence."""
 CORNERS_TOLD: tuple[Turn, ...] = (
+    (f"^(?:each|every)(?: one)?(?: of the (?:four )?corners?| corner){_TABLE} (?:{MUST} )?(?:has|have|holds?|gets?|"
+     f"contains?) {_ONE}(?: (?:in|on) it)?$", "put {1} in each corner of the table"),
     (f"^{_FOUR} ?[:,] (?:four (?:blocks|cubes|bricks) ?[:,] )?(?:{PUT} )?{_ONE} (?:in|into) each(?: of them| one| "
      "corner)?(?: of the table)?$", "put {1} in each corner of the table"),
     (f"^(?:{_FOUR}|(?:two |three )?corners(?: of the table)?) ?[:,] (?=.*\\b(?:near|far|front|back|left|right) "

@@ -146,9 +146,9 @@ BOARDS: tuple[Turn, ...] = (
     (f"\\b(grid\\b.* (?:row|column) {COLOR}.*?) an? ({COLOR}) (row|column) (?:between them|in between(?: them)?)$",
      "{1} the middle {3} {2}"),
     (f"^(?=.*(?:\\b3x|\\b(?:three|3) (?:by|rows)\\b))(.*\\bgrid\\b.* the (?:near|front|nearest) row{_IS} {COLOR} ,(?: "
-     "and)?) the row behind (?:it|that)\\b", "{1} the middle row"),
+     "and)?) the (?:row|one) behind (?:it|that)\\b", "{1} the middle row"),
     (f"^(?=.*(?:\\b3x|\\b(?:three|3) (?:by|rows)\\b))(.*\\bgrid\\b.* the (?:far|back|farthest) row{_IS} {COLOR} ,(?: "
-     "and)?) the row in front of (?:it|that)\\b", "{1} the middle row"),
+     "and)?) the (?:row|one) in front of (?:it|that)\\b", "{1} the middle row"),
     ("\\b(grid\\b.* in the (?:near|front) row) , in reading order$", "{1}"),
     ("\\b(grid) (?:that|which) reads (.+?) row by row(?: ,)?(?: (?:starting )?(?:from|at) the far left)?$",
      "{1} of {2} in reading order"),

@@ -104,8 +104,8 @@ SIDED_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b({_T} (?:on|to) the left)(?: ,)? ({_T} (?:on|to) the right) and ({_T}) (?:in between|in the middle)$",
      "{1} , {2} and {3} in between"),
     # all of these at the side of all of those
-    (f"^(?:each|every one|all) of the ({MANY} \\w+ {_BLOCKS}) {_HAS} (.+?)( somewhere)? (?:to|on) (?:its|their) (left|"
-     "right)(?: side)?$", "{2} must be {3} to the {4} of the {1}"),
+    (f"^(?:each|every one|all) of the ({MANY} \\w+ {_BLOCKS}) {_HAS} (?!an? |one )(.+?)( somewhere)? (?:to|on) (?:its|"
+     "their) (left|right)(?: side)?$", "{2} must be {3} to the {4} of the {1}"),
     ("^(?:move|arrange|place|sort|put|rearrange|lay out) (?:the|these) (?:cubes|blocks) so that (?!.*\\b(?:they|them|"
      f"it)\\b)((?:every one of |each of |all |all of )?(?:the )?{MANY} \\w+ {_BLOCKS} .+ {MANY} \\w+(?: "
      f"{_BLOCKS})?.*)$", "{1}"),

@@ -153,7 +153,7 @@ TOWERS_AT_ONCE: tuple[Turn, ...] = (
     (f"^(.*?\\b{TOWER}\\b[^,]*?) (?:is|are) (?:wanted|needed|required|desired) , (alternating .+)$", "{1} , {2}"),
     (f"\\b({TOWER} of {MANY}(?: blocks| cubes)?)(?: ,)? (?:that|which) (?:alternates|changes) between {_TURNS}",
      "{1} , alternating {2} and {3}"),
-    (f"\\b({TOWER}\\b.*) alternating between {_TURNS}", "{1} alternating {2} and {3}"),
+    (f"\\b((?:{TOWER}|row|line|column)\\b.*) alternating between {_TURNS}", "{1} alternating {2} and {3}"),
     (f"\\b({TOWER}\\b.*\\balternating .*?) with {_ONE} both at the (?:bottom|base|foot) and (?:at the top|on top)$",
      "{1} with {2} at the bottom and {2} at the top"),
     (f"\\b({TOWER}\\b[^,]*?)(?:(?: ,)? (?:(?:with|in|of) alternating colors ,|where|in which)| , (?:alternate|"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from rpg.language.grammar.core import Parser, Results
@@ -63,12 +64,16 @@ def rest_beyond(p: Parser, i: int) -> Results[Places]:
 _NEXT_TO_IT = {**BEYOND, **dict.fromkeys(("next to it", "beside it", "next to that", "beside that"), "beside")}
 _RELS = {"above": "above", "below": "under"}
 _ONE = ("the one", "the block", "the cube", "the next one", "the brick")
+_LINES = frozenset({"row", "column", "layer"})
 _BROAD = frozenset({"grid", "square", "wall", "rectangle", "pyramid", "towers", "stacks", "rows", "columns", "stairs"})
 
 
 def next_to_it(p: Parser, i: int) -> Results[Loc]:
-    """ "(The bottom one is green,) the one above it": where it is to the one before, in a line."""
+    """ "(The bottom one is green,) the one above it": where it is to the one before, in a line; behind "the front row"
+    it is a row."""
     k = p.any_of(i, _ONE)
+    if k and any(a in SIDES and b in _LINES for a, b in pairwise(p.words[:i])):
+        return
     for phrase, end in p.standing(k, _NEXT_TO_IT) if k and p.all.isdisjoint(_BROAD) else ():
         way = _NEXT_TO_IT[phrase]
         it = Pronoun(word="it", span=p.span(k, end))

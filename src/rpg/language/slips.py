@@ -20,7 +20,7 @@ _GLUED = frozenset({"a", "the", "of", "on", "in", "to", "at", "by", "is", "it", 
 _VOWELS = frozenset("aeiouy")
 MIXED_UP = {
     "too": "to", "then": "than", "than": "then", "form": "from", "from": "form", "there": "their", "their": "there",
-    "an": "and", "were": "where", "read": "red",
+    "an": "and", "were": "where", "read": "red", "tree": "three",
 }  # fmt: skip
 """Words that are typed for others, each of them a word by itself."""
 
@@ -44,6 +44,8 @@ def _may_be_one(word: str) -> bool:
 def meant_by(word: str) -> tuple[tuple[int, str], ...]:
     """The words that a word that means nothing could be typed for, each with how unlikely it is: by the slip that it
     takes, and by whether it is often said of blocks."""
+    if word not in vocabulary() and word in MIXED_UP:
+        return ((0, MIXED_UP[word]),)
     if not _may_be_one(word):
         return ()
     near = nearest(word, 1 if len(word) < LONG_WORD else 2)

@@ -152,14 +152,19 @@ def distance(a: str, b: str, limit: int) -> int:
 
 
 def nearest(word: str, limit: int) -> list[str]:
-    """Known words within `limit` slips, nearest first."""
+    """Known words within `limit` slips, nearest first; to mix up the letters inside is one."""
     letters = _letters(word)
     scored = sorted(
-        (distance(word, known, limit), known)
+        (1 if _mixed(word, known) else distance(word, known, limit), known)
         for known, theirs in _spelt()
         if abs(len(known) - len(word)) <= limit and (letters ^ theirs).bit_count() <= 2 * limit
     )
     return [known for slips, known in scored if slips <= limit]
+
+
+def _mixed(word: str, known: str) -> bool:
+    """ "withe" for "white": the same letters between the first and the last one."""
+    return len(word) > 3 and word[0] + word[-1] == known[0] + known[-1] and sorted(word) == sorted(known)
 
 
 @cache

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from itertools import islice, product
+from itertools import islice, pairwise, product
 
 from rpg.core.diagnostics import Diagnostic, Span
 from rpg.language.slips import MIXED_UP, meant_by
@@ -39,12 +39,15 @@ def ways_meant(
         yield ((one, [f"read {text[slice(*span)]!r} as {word!r}" for span, word in one.edits]) for one in respelt)
 
 
-def _with_others(tokens: Iterable[Token], strange: set[Span]) -> Iterator[Mapping[Span, str]]:
+def _with_others(tokens: Sequence[Token], strange: set[Span]) -> Iterator[Mapping[Span, str]]:
     """For some of the words the ones that they could be typed for."""
     words = {token.span: token.word for token in tokens if token.span in strange}
     if len(words) == len(strange) and 0 < len(strange) <= _MISSPELT:
         for chosen in sorted(product(*map(meant_by, words.values())), key=lambda ways: sum(cost for cost, _ in ways)):
-            yield dict(zip(words, (word for _, word in chosen), strict=True))
+            way = dict(zip(words, (word for _, word in chosen), strict=True))
+            said = [(way.get(token.span, token.word), token.span in way) for token in tokens]
+            if not any(a == b and (new or new_too) for (a, new), (b, new_too) in pairwise(said)):  # nor "the the"
+                yield way
 
 
 def _mixed_up(tokens: Sequence[Token], span: Span | None) -> Iterator[Mapping[Span, str]]:

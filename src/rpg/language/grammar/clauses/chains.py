@@ -14,6 +14,7 @@ from rpg.language.grammar.clauses.denials import denies_places, nor_does, nor_th
 from rpg.language.grammar.clauses.done_there import afterthought, done_there
 from rpg.language.grammar.clauses.either_side import alternatives, two_sides
 from rpg.language.grammar.clauses.links import all_in_one, emphasised, last_of_the_order, linked, told_again, told_of_it
+from rpg.language.grammar.clauses.lists import ends_a_list, in_labels, in_list, of_the_list
 from rpg.language.grammar.clauses.moves import of_the_same
 from rpg.language.grammar.clauses.or_cut import cut_by_or
 from rpg.language.grammar.clauses.out_of_these import none_of_the_others, out_of_these
@@ -86,7 +87,7 @@ def chain(p: Parser, i: int) -> Results[Chain]:
                 yield Chain(clauses=clauses, links=links, span=p.span(i, end), cost=1), end
     for begun, j in (*begun_with(p, i), *counted_ahead(p, i), *out_of_these(p, i)):
         for main, end in chain(p, j):
-            if begun.lemma == "stock" and len(main.clauses) == 1 and _of_the_list(p, j, end, main.clauses[0]):
+            if begun.lemma == "stock" and len(main.clauses) == 1 and of_the_list(p, j, end, main.clauses[0]):
                 continue
             told = map(none_of_the_others, main.clauses) if begun.lemma == "stock" else main.clauses
             yield Chain(clauses=(begun, *told), links=("and", *main.links), span=p.span(i, end)), end
@@ -114,7 +115,7 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
         if previous is not None and previous.negated and link in ("before", "after"):
             continue
         ended = p.words[j - 3] == "and" and previous is not None and previous.verb in _WHOLE_ALONE
-        if previous is not None and not previous.adjuncts and not ended and _in_list(p, j):
+        if previous is not None and not previous.adjuncts and not ended and in_list(p, j):
             continue  # unless its last thing was named: "swap red and blue, green stays where it is"
         items = [
             *clause(p, j),
@@ -268,59 +269,17 @@ def _no_clause(p: Parser, j: int, k: int, previous: Clause, item: Meaning) -> bo
     """Whether what looks like a clause belongs to the one before it."""
     if p.words[j - 1] == "," and (apposed(previous, item) or _mere_time(item)):
         return True
-    listed = p.words[j - 1] == "and" and p.tokens[j - 2].word in lexicon.COLOR and _in_list(p, j - 2)
+    listed = p.words[j - 1] == "and" and p.tokens[j - 2].word in lexicon.COLOR and in_list(p, j - 2)
     if any(no(p, j, previous, item) for no in (stands_behind, has_it_too, last_of_the_order, of_the_same, but_that)):
         return True
     shape = item.theme if isinstance(item, Clause) else None
     part = listed and isinstance(shape, Structure) and shape.det == "bare"  # "a staircase of red, blue and green steps"
-    part = part or (previous.mode == "goal" and _in_labels(p, j, previous))
+    part = part or (previous.mode == "goal" and in_labels(p, j, previous))
     if part or told_of_it(p, j, k, previous, item) or nor_does(p, j, k, previous, item):
         return True
     if p.any_of(j, STARTING) and isinstance(shape, Noun | Coord) and not getattr(item, "adjuncts", ()):
         return True  # "a row of A, B, C, starting with C": which comes first, and not what there is at the start
-    listing = (previous.verb == "exist" and not previous.adjuncts) or (previous.lemma == "fact" and ":" in p.words[j:k])
-    listing = previous.lemma == "tally" or (listing and not isinstance(previous.theme, Structure))
-    return listing and _of_the_list(p, j, k, item)
-
-
-def _of_the_list(p: Parser, j: int, k: int, item: Meaning) -> bool:
-    """ "a red, a green and a blue cube, stacked in that order": what ends a list is no clause of its own."""
-    theme = item.theme if isinstance(item, Clause) and item.mode == "goal" else None
-    if theme is not None and theme.span[0] != p.char(j, 0):
-        return False  # "..., and on it a red cube"
-    for whole in ("members", "part_of"):  # "a tower of two blue ones, both of them"
-        theme = getattr(theme, whole, None) or theme
-    counted = isinstance(theme, Coord | Noun) and getattr(getattr(theme, "items", (theme,))[0], "amount", None)
-    return bool(counted) and p.words[j - 1] in (",", "and") and _FINITE.isdisjoint(p.words[j:k])
-
-
-_FINITES = "is are must should shall has have goes go lies lie stands stand sits sit"
-_FINITE = frozenset(_FINITES.split())
-
-
-def _in_list(p: Parser, j: int) -> bool:
-    """Whether the comma before `j` is one of a list of colours or labels: "the red, blue and green blocks"."""
-    if j < 2 or j >= p.end or p.words[j - 1] != ",":
-        return False
-    before, after = p.tokens[j - 2], p.tokens[j]
-    if before.word in lexicon.COLOR:
-        counted = j > 2 and (p.number(j - 3) is not None or p.words[j - 3] in ("a", "an"))
-        placed = counted and p.stands(j + 1, _PLACED)  # "2 green, 1 pink, pink on top"
-        return after.word in lexicon.COLOR and not placed
-    return all(token.kind in _LABELS or len(token.word) == 1 for token in (before, after))
-
-
-def _in_labels(p: Parser, j: int, before: Clause) -> bool:
-    """ "A row of the letters P, Q and R is on the left": all of them are its letters."""
-    told = before.theme.members if isinstance(before.theme, Structure) and not before.adjuncts else None
-    last, after = p.tokens[j - 2], p.tokens[j] if j < p.end else None
-    joined = p.words[j - 1] == "and" and isinstance(told, Noun) and len(told.traits.labels) > 1 and after is not None
-    return joined and all(t.kind in _LABELS or len(t.word) == 1 for t in (last, after) if t is not None)
-
-
-_PLACED = frozenset({"on", "at", "in", "leftmost", "rightmost", "lowest", "topmost"})
-_LABELS = frozenset({"literal", "number", "sign"})
-"""The kinds of words that labels of blocks are; single letters are words."""
+    return ends_a_list(p, j, k, previous, item)
 
 
 def _not_until(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], at: int) -> Results[Chain]:

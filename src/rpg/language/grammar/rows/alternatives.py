@@ -54,6 +54,9 @@ ALTERNATIVES: tuple[Turn, ...] = (
 )  # fmt: skip
 """What is looked for, and what is said instead."""
 EITHER_WAY: tuple[Turn, ...] = (
+    ("(\\bor\\b[^.;]*?)(?: ,| ;| \\.)(?: and)? if both (?:are|is|hold|holds|apply)(?: true| so| the case| met| "
+     "fulfilled)?(?: ,)? (?:then )?(?:that|this|it) is (?:also |just )?(?:fine|ok|okay|good|right)(?: too| as well)?"
+     "(?= \\.|$)", "{1}"),
     (f"^(?:it|this) (?:{_VAIN}|makes no difference|is (?:irrelevant|unimportant|not important))(?: to me)? "
      f"(?:whether|if) ([^.]+? {PLACE} [^.]+? or [^.]+? {PLACE} [^.]+?){_BUT}(?: (?:at least )?one of (?:them|these|the "
      "two) (?:is|must be|has to be|should be)(?: so| true| the case)?)?(?: \\.)?$", "{1} ."),

@@ -56,6 +56,8 @@ _WAS_AND_WILL_BE = (
 """The same where only the first order says where it begins."""
 
 BEFORE_AND_AFTER: tuple[Turn, ...] = (
+    (f"^(?:the robot|it|you) (?:will )?finds? ([^.]+?) (?:standing|lying|sitting) (in [^.]+?)(?: ,)? and (?:it |you )?"
+     f"{_HAS_TO} leave (?:them|it) (?:as |in )", "at the start , {1} stand {2} . at the end , they must be "),
     ("\\b(clear|empty) (the [^.,]+?) first(?: so that it is (?:empty|clear|free)(?: again)?)? \\. "
      "(?=(?:the|an?|two|three|four) [^.]*?\\b(?:is|are|lies?|stands?|sits?)(?: lying| standing| sitting)? "
      "(?:on it|there)(?: \\.|$))", "first {1} {2} . "),

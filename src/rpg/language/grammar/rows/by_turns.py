@@ -40,6 +40,8 @@ BY_TURNS_AT_ONCE: tuple[Turn, ...] = (
      f"striped)?(?=$| ,)",
      "{1} {2} {3} , alternating {4} and {5}"),
     (f"\\b({_STRIPED})(.*?) (?:,|with|in)(?: in| with)? {_TWO} stripes(?=$| ,)", "{1} {2} , alternating {3} and {4}"),
+    (f"(?: ,)? (?:in |a )*(?:checkers|chequers|chess)(?: in| of| :)? {_TWO}(?=$| ,)",
+     " in a checkerboard pattern of {1} and {2}"),
     (f"\\b(?:with|in|of)? ?{_CHECKERED}(?: (?:in|with))? {_TWO}(?! checker)", "in a checkerboard pattern of {1} and "
      "{2}"),
     ("\\b(?:checker|checkers|chess|checkered|chequered|checked|checkerboard|chessboard) (?:pattern|coloring|colors)\\b",

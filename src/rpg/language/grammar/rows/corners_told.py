@@ -7,7 +7,7 @@ from rpg.language.grammar.rows.said_short import PUT, THINGS
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import COLOR, MANY, MUST
 
-_FOUR = "(?:the table has |there are )?(?:the |its )?four corners(?: of the table)?"
+_FOUR = "(?:the table has |there are )?(?:the |its )?four corners(?: (?:of|on) the table)?"
 _ONE = f"((?:exactly )?(?:one|an?) (?:{COLOR} )?(?:block|cube|brick))"
 _BLOCK = f"(?:one|an?) ({COLOR} )?(?:block|cube|brick)"
 _TABLE = "(?: of the table)?"
@@ -16,7 +16,8 @@ _LOT = f"(?:{THINGS}|the (?:{MANY} )?{COLOR}s)"
 _ALL = "(?:all(?: of)?(?: the)? four|all(?: the)?|the four|each of the four|each|every)"
 
 CORNERS_ACROSS: tuple[Turn, ...] = (
-    (f"(?<![^ ])the table has four corners \\. {PUT} {_ONE} (?:in|into) each(?: of them| one| corner)?(?= \\.|$)",
+    (f"(?<![^ ])(?=the table has |there are ){_FOUR} [.,:] {PUT} {_ONE} (?:in|into) each(?: of them| one| corner)?"
+     "(?= \\.|$)",
      "put {1} in each corner of the table"),
 )  # fmt: skip
 """What is told in two sentences."""
@@ -30,6 +31,7 @@ CORNERS_AT_ONCE: tuple[Turn, ...] = (
 CORNERS_TOLD: tuple[Turn, ...] = (
     (f"^(?:each|every)(?: one)?(?: of the (?:four )?corners?| corner){_TABLE} (?:{MUST} )?(?:has|have|holds?|gets?|"
      f"contains?) {_ONE}(?: (?:in|on) it)?$", "put {1} in each corner of the table"),
+    (f" and (?=there are |the table has ){_FOUR}(?= ?[:,].*\\bcorner$)", ""),
     (f"^{_FOUR} ?[:,] (?:four (?:blocks|cubes|bricks) ?[:,] )?(?:{PUT} )?{_ONE} (?:in|into) each(?: of them| one| "
      "corner)?(?: of the table)?$", "put {1} in each corner of the table"),
     (f"^(?:{_FOUR}|(?:two |three )?corners(?: of the table)?) ?[:,] (?=.*\\b(?:near|far|front|back|left|right) "

@@ -44,6 +44,10 @@ _ONE_LINE = (
 _SOME_GAPS = "(?:(?:an?|some) )?(?:free |empty )?(?:gaps?|spaces?|room|air)(?: left)?"
 
 DISTANCES: tuple[Turn, ...] = (
+    # from one to the next
+    (f"(?: ,)?(?: with)? ({_FAR}) from (?:the |one |each )?center(?: of (?:one|each)(?: {BLOCK})?)? to (?:the )?(?:"
+     f"center of )?(?:the )?next(?: one| center| {BLOCK})?$", " , {1} from center to center"),
+    (f"^the (gap|distance) between (.+?) {_MUST_BE} ({_FAR})(?= , with )", "there must be a {1} of {3} between {2}"),
     # gaps of any width in a line
     *((f"^{_ONE_LINE}(.+?)(?: ,)?(?: and)? (?:with|leaving|leave|having|keeping|keep) {_SOME_GAPS}(?: in)? between "
        f"{whom}$", f"{{1}} so that {they} do not touch each other")

@@ -17,6 +17,8 @@ FACED_AT_ONCE: tuple[Turn, ...] = (
     # without articles
     ("\\bso(?: that)? (top|bottom)(?: (?:side|edge))?(?: of (?:letter|digit|number|symbol|cube|block))? "
      "(?=(?:is |are )?(?:pointing|points?|facing|faces?|looks?|looking)\\b)", "so that its {1} "),
+    *((f"\\b{lies} with its (?:letter|symbol|digit|number|face|top) (?=turned .*clockwise)", f"{be} ")
+      for lies, be in (("(?:lies|is|stands)", "is"), ("(?:lie|be|stand)", "be"))),
     ("\\btwist (?=(?:the )?(?:\\w+ )?\\w (?:an?|by|clock|counter|anti|90)|(?:the )?(?:cube|block) with )", "turn "),
     (f"^(?:give|let) {_X} (?:(?:make|do) )?an? {_QUARTER} {_WAY}{_SEEN}$", "turn {1} by 90 degrees {2}"),
     (f"^(?:give|let) {_X} (?:(?:make|do) )?an? {_WAY} {_QUARTER}{_SEEN}$", "turn {1} by 90 degrees {2}"),

@@ -3,7 +3,7 @@ red goes on the mat, after that blue", as rows that say it as others do."""
 
 from __future__ import annotations
 
-from rpg.language.grammar.rows.said_short import PLACE, PUT, THING
+from rpg.language.grammar.rows.said_short import PLACE, PUT, THING, THINGS
 from rpg.language.grammar.rows.turned import Turn
 from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, MANY, ME, MUST, PATCH, READER, TOWER
 
@@ -47,6 +47,7 @@ _UNMOVED = (
 _AROUND = "(?:surround|encircle|enclose|flank)"
 
 PLAIN_TALK_AT_ONCE: tuple[Turn, ...] = (
+    (f"\\bboth (?:the )?(?:\\w+ )?(?:{_BLOCKS}|letters|digits|numbers) , (?={THING} and {THING}$)", "both "),
     # how the text is made up
     *(("^(?:the |my |our |this )?(?:goal|task|job|exercise|request|instruction)s? (?:has|have|consists? of|comprises?|"
        f"is made up of|with) {MANY} {parts}", "")
@@ -232,6 +233,15 @@ PLAIN_TALK_AT_ONCE: tuple[Turn, ...] = (
 )  # fmt: skip
 """What is read otherwise, or not at all, as it stands."""
 PLAIN_TALK: tuple[Turn, ...] = (
+    # who sees it, and what there is to be seen
+    (f"\\b(i|we) (want|need|would like|would love) (?:{READER} )?to (?:see|read|get|find) (?=the |an? )", "{1} {2} "),
+    (f"\\bi count (?={MANY} )", "there are "),
+    (f"(?: ,)? so(?: that)? {READER} (?:can )?reads? (?:them|it) (like a (?:page|book|text))$", " , read {1}"),
+    (f"\\b(everything|all (?:of it|(?:the )?{_BLOCKS})) ([^,:]+?)(?: ,| -) (?:that|these|those) (?:is|are) (?=the )",
+     "{1} {2} : "),
+    # how it should not be
+    (f"^(?:do not|never) let ({THINGS}) be (?:too )?(close|near)(?: together| to (?:each other|one another))?(?= ,|$)",
+     "{1} must not be {2} to each other"),
     # in whichever order the words are
     (f"^((?:{PUT}|build|make|stack)) first ", "first {1} "),
     # what it is for

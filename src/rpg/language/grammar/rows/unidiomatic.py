@@ -5,7 +5,19 @@ from __future__ import annotations
 
 from rpg.language.grammar.rows.said_short import LABEL, PLACE, THING, THINGS
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import AND, COLOR, CUBE, END, LENGTH, LINE, MANY, MUST, PATCH, PATCHES
+from rpg.language.grammar.rows.vocabulary import (
+    AND,
+    COLOR,
+    CUBE,
+    END,
+    LENGTH,
+    LINE,
+    MANY,
+    MUST,
+    NO_NUMBER,
+    PATCH,
+    PATCHES,
+)
 
 _WHO = "(?:my|your|our|his|her|(?:the |a )?(?:viewer|observer|robot|camera|reader|onlooker|spectator) 's)"
 _FIRST = "(biggest|largest|highest|smallest|lowest)(?: one| number| digit)?"
@@ -46,6 +58,9 @@ UNIDIOMATIC_AT_ONCE: tuple[Turn, ...] = (
     (f"^(?:please )?({PLACE} {THING}) ({THINGS}) (?:you |please )*(put|place|stack|set)$", "{3} {2} {1}"),
     (f"\\b((?:take|grab|get|lift|pick|pick up) {THING} and(?: then)? (?:put|place|set|lay)) (?=(?:down )?(?:{PLACE}|to"
      "|at) )", "{1} it "),
+    # a bound that is told last
+    *((f"^({NO_NUMBER})\\b((?:a |an )?{many})\\b({NO_NUMBER})(?: ,|-)? (at least|at most|minimum|maximum|exactly)$",
+       "{1} {4} {2} {3}") for many in (LENGTH, MANY)),
     # one thing and then the next: behind what is done, "after" with a bare verb is "after that"
     (f" , (?:and )?after (?={_DOES} )", " , then "),
     (f"^after ,? ?(?={_DOES} |{THING} (?:goes |comes )?{PLACE} {THING}$)", "then "),
@@ -158,6 +173,11 @@ UNIDIOMATIC: tuple[Turn, ...] = (
      "(?:an? )?(?:imaginary )?square$", "{1} must form a square"),
     ("\\bin (?:rising|growing|mounting|climbing) order\\b", "in ascending order"),
     ("\\bin (?:falling|sinking|shrinking) order\\b", "in descending order"),
+    # one on the other, each time told of the one before
+    *((f"^({THING}){AND} {at} (?:it|that|this) ({THING}){AND} {at} (?:it|that|this) ({THING})$",
+       f"a tower , {first} {{1}} , {then} it {{2}} , {then} it {{3}}")
+      for at, first, then in (("(?:on|on top of|above|over)", "at the bottom", "above"),
+                              ("(?:under|below|beneath|underneath)", "on top", "under"))),
     # each other
     ("\\bthe one (beside|behind|on|upon|above|next to|in front of) the other\\b", "one {1} the other"),
     # what is wanted, and who does it

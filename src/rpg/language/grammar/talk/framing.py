@@ -273,7 +273,7 @@ VIEW = Patterns(
     "as? seen|viewed|looked_at|visible? from where <here>",
     "as? seen|viewed|looked_at|visible from|by <viewer> 's? <side>?",
     "as? seen|viewed|looked_at|visible from my|our|your <side>",
-    "as? seen|viewed|looked_at|watched from above|straight_above",
+    "as|when? seen|viewed|looked_at|watched from above|straight_above",
     "seen|viewed|looked_at from the_top|the_front|in_front",
     "from my|our|your|this? point_of_view|perspective|view|viewpoint|standpoint|angle",
     "from <viewer> 's point_of_view|perspective|viewpoint|standpoint|angle|side",

@@ -10,7 +10,11 @@ from rpg.language.tokens import Token
 _STOPS = frozenset({".", "!", "?", ";"})
 _STANDING = frozenset({"behind", "on", "in", "next", "under", "above", "between", "near", "touching", "at", "beside"})
 """After these "its" was meant as "it is"."""
-_NAMED = frozenset({"a", "an", "not", "only", "just", "there"})
+_NAMED = frozenset({
+    "a", "an", "not", "only", "just", "there", "on", "in", "under", "at", "above", "between", "beside", "behind",
+    "done", "finished", "ready", "important", "easy", "ok", "okay", "fine", "supposed", "meant", "standing", "lying",
+    "sitting", "already", "still", "also", "now", "placed", "really", "too",
+})  # fmt: skip
 """Before these "its" was meant as "it is" wherever it stands."""
 _BESIDE = (["to", "the"], ["right", "of"], ["left", "of"])
 """Before these "its" was meant so behind what it is to be."""

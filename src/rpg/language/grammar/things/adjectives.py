@@ -217,10 +217,10 @@ def _introduces_a_digit(word: str) -> bool:
 
 _LABELLED = ("labelled", "labeled", "marked", "showing", "named", "called", "bearing", "reading", "saying", "carrying",
              "with", "numbered", "displaying", "lettered")  # fmt: skip
-_SHOWING = frozenset({"marked", "labelled", "labeled", "numbered", "lettered"})
+_SHOWING = ("marked", "labelled", "labeled", "numbered", "lettered",
+            *(f"{at} the {sign}" for at in ("with", "showing") for sign in ("letter", "digit", "number")))  # fmt: skip
 """Behind a mere number, what tells the blocks: "two cubes marked X and three marked O"."""
-_WITH_LETTER = tuple(f"{with_} the {sign}" for with_ in ("with", "showing") for sign in ("letter", "digit", "number"))
-_ONE_WITH = (["one", "with", "a"], ["one", "with", "an"])
+_WITH_A = ("with a", "with an")
 _CALLED = frozenset({"number", "letter", "digit", "numbers", "letters"})
 """What stands between a block and the symbol by which it is called: "the block number 3"."""
 _LABEL_NOUNS = _CALLED | {"label", "labels", "digits", "symbol", "symbols", "sign"}
@@ -309,7 +309,7 @@ def of_quality(p: Parser, i: int, head: str) -> Results[Marks]:
     """What follows a noun directly: "A", "labelled A", "with letters", "of the same colour", "of 5 cm", "in red"."""
     if head == "block":
         yield from _symbols_after(p, i)
-    elif head == "any" and (p.stands(i, _SHOWING) or p.any_of(i, _WITH_LETTER) or p.words[i - 1 : i + 2] in _ONE_WITH):
+    elif head == "any" and (p.any_of(i, _SHOWING) or (p.any_of(i, _WITH_A) and p.follows(i, ("one",)))):
         yield from _labelled(p, i)
     for phrase, j in p.standing(i, _SCHEMES):
         scheme = Marks({"scheme": _SCHEMES[phrase]})

@@ -168,8 +168,8 @@ def _it(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         _check_listed(word, scene, single)
         check_owner(word, found, scene)
         check_no_extra_since(word, found, scene)
-        if word.word == "the first one" and found.built:
-            raise refuse("ambiguous", "the first structure, or the first of its blocks?", word.span, "name the block")
+        if word.word == "the first one" and (found.built or len({m.ref.names for m in there}) > 1):
+            raise refuse("ambiguous", "the first of which, or of its blocks?", word.span, "name the one you mean")
         return found
     last = single[-1].clause
     counted = [m for m in scene.mentions if m.clause == last and m.ref.quant is not None and not m.ref.patch]

@@ -293,7 +293,9 @@ def _is_patch(noun: Noun, scene: Scene, scope: Scope) -> bool:
                     return False
                 raise refuse("ambiguous", "this could be a block or a patch", noun.span, "say 'block' or 'patch'")
             return all(t.patch for t in pool) if pool else True
-        return scope.like_patch or (scope.role == "landmark" and _the_marked(noun, scene))
+        many = noun.amount.low if noun.amount and noun.traits == Traits() else 1
+        there = many <= max(1, sum(t.patch for t in scene.things.values()))  # "A and B are on the mat, each of the two"
+        return there and (scope.like_patch or (scope.role == "landmark" and _the_marked(noun, scene)))
     return noun.head == "patch"
 
 

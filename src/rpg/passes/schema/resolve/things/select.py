@@ -181,8 +181,6 @@ def _so_many_told(noun: Noun, amount: int, scene: Scene) -> tuple[str, ...]:
     here = [n for m in scene.mentions if m.sentence == scene.sentence and not m.ref.patch for n in m.ref.names]
     if len(dict.fromkeys(here)) == amount:
         return tuple(dict.fromkeys(here))
-    if noun.head != "any":
-        return ()
     told = {frozenset(m.ref.names): m.ref.names for m in scene.mentions if len(set(m.ref.names)) == amount}
     found = next(iter(told.values())) if len(told) == 1 else ()
     return () if any(scene.things[name].patch for name in found) else found

@@ -30,11 +30,14 @@ def known_ones(shape: Structure, scene: Scene, role: str = "") -> list[Built]:
     """Structures brought up before that fit the description; what stands beside "that tower" is another one."""
     tell_apart(shape, scene)
     found = _fitting(shape, scene) or _with_its_color(shape, scene)
+    bare = shape.det == "the" and not (shape.members or shape.plural)
+    if not found and bare and shape.kind in ("row", "line"):  # "the word stands in a row, red behind that row"
+        found = [x for kind in ("word", "equation") for x in _fitting(replace(shape, kind=kind), scene)]
     found = _parted(found) if shape.plural else found
     if role == "landmark" and len(found) > 1:
         now = [m.ref for m in scene.mentions if m.clause == scene.clause and m.role == "theme"]
         found = [x for x in found if not any(x in ref.built for ref in now)] or found
-    if not found and shape.kind == "pile" and shape.det == "the" and not (shape.members or shape.plural or scene.heaps):
+    if not found and shape.kind == "pile" and bare and not scene.heaps:
         return known_ones(replace(shape, kind="stack"), scene)  # "green on brown, white left of that pile"
     return found
 

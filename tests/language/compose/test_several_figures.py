@@ -23,6 +23,10 @@ READ = {
         "three blue blocks must form a tower of exactly three from bottom to top in the order blue, blue, blue. The "
         "red block, a yellow block and a blue block must be in a row from left to right in the order red, yellow, blue."
     ),
+    "The stack on the left is red over green, the stack on the right is green over red.": "Green block 1 and red "
+    "block 1 must form a tower of exactly two from bottom to top in the order green, red. Red block 2 and green block 2 "
+    "must form a tower of exactly two from bottom to top in the order red, green. Green block 1 must be to the left of red "
+    "block 2.",
     "Build a tower of four out of two green and two white cubes, with both white ones in the middle.": "The two green "
     "blocks and the two white blocks must form a tower of exactly four from bottom to top in the order green, white, "
     "white, green.",
@@ -35,6 +39,7 @@ READ = {
     "stacked from bottom to top in the order A, B. The C block must be to the right of the blocks A and B.",
 }
 REFUSED = (
+    "Start: a row of red, green and blue from left to right. Turn it upside down.",
     "Stack A and B in the left tower.",
     "Make three pairs of red blocks and arrange them in a column.",
     "Put 1 and 2 in one tower and A and B in another, both in descending order from left to right.",

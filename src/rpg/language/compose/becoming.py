@@ -12,7 +12,7 @@ _START_FROM = tuple(f"{start} {with_}" for start in ("start", "begin", "starting
                     for with_ in ("from", "with"))  # fmt: skip
 _STARTS_AS = ("starts as", "starts out as", "begins as", "starts off as", "is at the start")
 _TURN = frozenset({"turn", "rebuild", "change", "convert", "transform", "make", "rearrange", "build", "stack"})
-_REVERSED = ("in the reverse order", "in reverse order", "in reversed order", "in the opposite order", "upside down",
+_REVERSED = ("in the reverse order", "in reverse order", "in reversed order", "in the opposite order",
              "the other way round", "the other way around", "in reverse")  # fmt: skip
 
 
@@ -36,8 +36,9 @@ class Becoming(Verbs):
         found: Ways[Clause] = []
         for what, end in self.single(at + 1) if self.text(at) in _TURN else ():
             found += [(Clause(what, (Made(figure),), "build"), stop) for figure, stop in self.into(end)]
-            if back := self.past_any(end, *_REVERSED):
-                found.append((Clause(what, (Made(Noun(det="a", noun="one", order="reversed")),), "build"), back))
+            ways = (("one", self.past_any(end, *_REVERSED)), ("tower", self.past_any(end, "upside down")))
+            back = [(Made(Noun(det="a", noun=noun, order="reversed")), stop) for noun, stop in ways if stop]
+            found += [(Clause(what, (said,), "build"), stop) for said, stop in back]
         if self.text(at) == "reverse":
             reverse = Made(Noun(det="a", noun="one", order="reversed"))
             found += [(Clause(what, (reverse,), "build"), end) for what, end in self.single(at + 1)]

@@ -139,6 +139,8 @@ def check_said(clause: Clause, ref: Ref) -> None:
         raise Unclear  # "a row and a tower on the mat": both of them, or the last one
     if len(clause.predicates) > 1 and any(said.how == "immediately" for said in places):
         raise Unclear  # "right next to it, on its left": how near is said of both
+    if any(said.relation in {"touch", "touching"} for said in places) and any(said.cm for said in places):
+        raise Unclear
     to_others = any(said.of is not None and said.relation in _BESIDE for said in places)
     if to_others and any(said.of is None and said.relation in _MUTUAL for said in places):
         raise Unclear  # "next to the blue ones, touching": one another, or them

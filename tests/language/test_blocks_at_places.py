@@ -60,3 +60,8 @@ def test_a_part_and_its_whole(text: str, told: str) -> None:
 )
 def test_what_is_asked_about(text: str, code: str) -> None:
     assert code_of(text) == code
+
+
+def test_ones_behind_corners_are_corners() -> None:
+    far = "Place a red block in each of the two far corners of the table and a blue block in each of the two near"
+    assert means(f"{far} ones.") == means(f"{far} corners.")

@@ -80,3 +80,8 @@ def test_what_comes_off_a_mat_was_there() -> None:
 
 def test_not_one_but_the_other() -> None:
     assert means("Not red but blue on the patch.") == means("Blue must be on the patch. Red must not be on the patch.")
+
+
+def test_how_it_starts() -> None:
+    plain = "At the start red is on green on blue; reverse the stack."
+    assert means("Red on green on blue is how it starts; reverse the stack.") == means(plain)

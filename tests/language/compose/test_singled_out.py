@@ -53,6 +53,14 @@ MEANINGS = {
         "form a tower of exactly two The brown block must be to the left of the tower of white block 1 and white "
         "block 2 The brown block must be to the left of the tower of white block 3 and white block 4."
     ),
+    "Build two green stacks, one two high and the other three high, and put a yellow block on the lower of the two.": (
+        "Green block 1 and green block 2 must be stacked Green block 3, green block 4 and green block 5 must form a "
+        "tower of exactly three The yellow block must be on the tower of green block 1 and green block 2."
+    ),
+    "Of four white blocks one lies on the red block and the others form a tower.": (
+        "White block 2, white block 3 and white block 4 must form a tower of exactly three White block 1 must be on "
+        "the red block."
+    ),
 }
 
 
@@ -67,6 +75,7 @@ def test_told_again(text: str) -> None:
         "Put A left of B and C on it.",  # on which one
         "Build a tower of red on blue. Left of it stands a green block, and on it a yellow one.",  # on which one
         "There are a red and a blue block. One of the blocks is on the patch and it is red.",  # the block, or the patch
+        "Arrange the letters from A to D in a row.",  # in this order, or in any
         "Put A or B on the red block, but not C.",  # C was none of those
         "Two red blocks are on the mat. The blue block is not on either of them.",  # on none of them, or not on one
         "Put A next to B. Put C on the left one of the two.",  # which one is on the left

@@ -135,6 +135,9 @@ class Contents(Series, ABC):
                 ]
                 if self.number(of) and self.text(of + 1) != "block":
                     found.append((Noun(count=self.number(of), noun="block", many=True), of + 1))
+            many, high = self.number(at + 1), at + 2 + (self.text(at + 2) == "block")
+            if many and self.text(high) in {"high", "tall"}:
+                found.append((Noun(count=many, noun="block", many=True), high + 1))  # "one three high"
         return found
 
     def one_by_one(self, noun: Noun, at: int) -> Ways[Phrase]:

@@ -46,6 +46,7 @@ RELATIONS = sorted(
 
 
 _ALONE = frozenset({"tall", "short", "former", "latter", "last"})
+_OF_TWO = ("of the two", "of these two", "of those two")
 _UTMOST = frozenset({"leftmost", "rightmost", "topmost", "highest", "lowest"})
 """What stands for a block without a noun."""
 
@@ -97,8 +98,9 @@ class Heads(Measures):
         if text in RANK:
             behind = at + 1 + (self.text(at + 1) in {"hand", "most"})  # "the right-hand one"
             yield from self._head(behind, replace(noun, ranks=(*noun.ranks, RANK[text])))
-            if noun.det == "the" and (RANK[text] in _ALONE or item.raw.lower() in _UTMOST):
-                yield replace(noun, ranks=(*noun.ranks, RANK[text]), noun="one"), at + 1
+            alone = RANK[text] in _ALONE or item.raw.lower() in _UTMOST or self.past_any(behind, *_OF_TWO)
+            if noun.det == "the" and alone:
+                yield replace(noun, ranks=(*noun.ranks, RANK[text]), noun="one"), behind
         if noun.ranks and not noun.count and item.number > 1 and noun.det == "the":
             yield replace(noun, count=item.number, noun="one"), at + 1  # "the outer two"
             yield from self._head(at + 1, replace(noun, count=item.number))

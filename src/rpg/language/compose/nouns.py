@@ -109,6 +109,9 @@ def _noun(scene: Scene, noun: Noun) -> Ref:
         return part(scene, noun, resolve)
     if noun.of == Pronoun("both") and noun.ranks and noun.noun in {"one", "block"}:
         return of_two(scene, noun)
+    if noun.noun == "one" and noun.det == "the" and isinstance(noun.of, Noun) and noun.ranks and noun.of.count == 2 \
+            and noun.of.noun in FIGURES and not noun.many:  # fmt: skip
+        return _of_figures(scene, noun, resolve(scene, noun.of).ids)
     if noun.of is not None and of_figure and noun.noun not in FIGURES - {"row", "column"}:
         return part(scene, noun, resolve)
     if noun.of is not None and noun.noun in SYMBOL_KINDS | {"sign"}:
@@ -166,9 +169,17 @@ def _by_rank(scene: Scene, noun: Noun) -> Ref:
     sides = TOWARD.keys() | _HIGH.keys() if built[:1] and built[0].kind == "tower" else {"near", "far"}
     same = 1 < len(built) == len(scene.figures) and len({figure.kind for figure in built}) == 1
     if noun.noun == "one" and same and (scene.lines or noun.ranks[0] in sides):
-        ranks = tuple(_HIGH.get(rank, rank) for rank in noun.ranks)
-        return figures_of(scene, replace(noun, noun=built[0].kind, ranks=ranks), resolve)
+        return _of_figures(scene, noun, [n for n, figure in enumerate(scene.figures) if figure in built])
     return part(scene, noun, resolve)
+
+
+def _of_figures(scene: Scene, noun: Noun, ids: list[int]) -> Ref:
+    """ "the left one" of several figures that were spoken of, "the lower one of the two towers"."""
+    kind = scene.figures[ids[0]].kind
+    if {n for n, figure in enumerate(scene.figures) if figure.kind == kind} != set(ids):
+        raise Unclear
+    ranks = tuple(_HIGH.get(rank, rank) if kind == "tower" else rank for rank in noun.ranks)
+    return figures_of(scene, replace(noun, noun=kind, of=None, ranks=ranks), resolve)
 
 
 def of_two(scene: Scene, noun: Noun) -> Ref:
@@ -179,6 +190,8 @@ def of_two(scene: Scene, noun: Noun) -> Ref:
             raise Unclear
         return between[0]
     both = pronoun(scene, "both")
+    if both.kind == "figure" and len(both.ids) == 2:
+        return _of_figures(scene, noun, both.ids)
     if len(both.ids) == 1:
         return part(scene, replace(noun, of=None), resolve)
     found = [n for n in both.ids if len(noun.ranks) == 1 and is_farthest(scene, n, both, noun.ranks[0])]

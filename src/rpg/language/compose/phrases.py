@@ -346,7 +346,8 @@ class Phrases(Contents):
         end = self.past_any(at, "of", "in", "from")
         if not end:
             return []
-        return [*self._simple(end), *((told, stop) for told, stop in self.phrase(end) if _labelled(told, ""))]
+        listed = self.phrase(end) if self.text(at) == "of" else []  # "the letters from A to D" may be in this order
+        return [*self._simple(end), *((told, stop) for told, stop in listed if _labelled(told, ""))]
 
     def _counted_from(self, noun: Noun, at: int) -> Ways[Phrase]:
         """ "the second block from the left"."""

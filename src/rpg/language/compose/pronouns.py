@@ -83,11 +83,14 @@ def _one_of_several(scene: Scene, spoken: Sequence[Ref]) -> list[Ref]:
 
 
 def landmark(scene: Scene, said: Place) -> Ref | None:
-    """What "it" is, where things are told around one: "C goes left of D, A right of it and B on it"."""
+    """What "it" is, where things are told around it before: "(A and B left of D,) C right of it and E on it".
+
+    What is first told to be at a part of a figure, and then another at its other side, is told around that part."""
     if scene.around is None or said.of != Pronoun("it") or _others(scene, scene.here):
         return None
     relation, target, by_it = scene.around
-    other_side = _OPPOSITE.get(relation) == said.relation
+    inside = target.kind == "block" and _is_member(scene, target.ids[0])
+    other_side = inside and _OPPOSITE.get(relation) == said.relation
     return target if other_side or (by_it and relation != said.relation) else None
 
 

@@ -93,6 +93,7 @@ _ONE_OF_TWO = f"(?:the|an?|both|all) [^,]+? {STARTS} [^,]+? and (?:go(?:es)?|end
 _BEFORE = "(?:in front of|before) (?:you|us|me|the robot)(?: there)?"
 
 BEGUN_AT_ONCE: tuple[Turn, ...] = (
+    ("^(.+?) (?:is|are) how (?:it|they|things|everything|we) (?:all )?(?:starts?|begins?)$", "at the start {1}"),
     ("^(?:given|provided) (is|are) (?!that\\b)", "there {1} "),
     (f"^(?:you (?:will )?(?:find|see|encounter|be given)|{_BEFORE} (?:is|are|stands?|lies?|(?:you|we) (?:find|see))) "
      f"(?=(?:an?|two|three) (?:\\w+ )?{_SHAPE}s?\\b)", "at the start there is "),

@@ -15,6 +15,7 @@ _IN = f"(?: (?:{MUST} (?:be|go|lie)|goes|go|are|is|belongs|belong|lies|lie))?(?:
 _LOT = f"(?:{THINGS}|the (?:{MANY} )?{COLOR}s)"
 _ALL = "(?:all(?: of)?(?: the)? four|all(?: the)?|the four|each of the four|each|every)"
 
+_SIDE = "(?:near|far|left|right)"
 CORNERS_ACROSS: tuple[Turn, ...] = (
     (f"(?<![^ ])(?=the table has |there are ){_FOUR} [.,:] {PUT} {_ONE} (?:in|into) each(?: of them| one| corner)?"
      "(?= \\.|$)",
@@ -26,8 +27,10 @@ CORNERS_AT_ONCE: tuple[Turn, ...] = (
     *((f"^(?:{PUT} )?({_LOT}){_IN} (?:one|a)(?: single)? corner{_TABLE}(?: ,)?(?: and| while| ,) ({_LOT}){_IN} {other}"
      f"(?: corner| one){_TABLE}$", f"put {{1}} and {{2}} in {corners} corners of the table")
       for other, corners in (("(?:another|a different|a second)", "different"), ("(?:the|an) opposite", "opposite"))),
+    *((f"\\b({_SIDE} corners?\\b.* (?:in|into) (?:each|both|the)(?: of)?(?: the)?(?: two)? {_SIDE}) {one}(?= |$)",
+       f"{{1}} {corner}") for one, corner in (("ones", "corners"), ("one", "corner"))),
 )  # fmt: skip
-"""Two lots, each in a corner of which it is not said which; in every sentence."""
+"""Two lots, each in a corner of which it is not said which, or in "the near ones"; in every sentence."""
 CORNERS_TOLD: tuple[Turn, ...] = (
     (f"^(?:each|every)(?: one)?(?: of the (?:four )?corners?| corner){_TABLE} (?:{MUST} )?(?:has|have|holds?|gets?|"
      f"contains?) {_ONE}(?: (?:in|on) it)?$", "put {1} in each corner of the table"),

@@ -127,6 +127,9 @@ UTMOST_TOLD: tuple[Turn, ...] = (
     # which one of a row that is known
     *((f"\\bthe {side} (block|cube|one)(?= of (?:the|that|this) (?:row|line)\\b)", f"the {side}most {{1}}")
       for side in ("left", "right")),
+    # which one of two that were told of
+    ("\\bthe (shorter|taller|higher|lower|upper|smaller|bigger|larger|longer|left|right|front|back|nearer|farther)(?: "
+     f"one)? of (?:the|these|those) two(?=$| ,| and| {MUST}| is| goes| stands)", "the {1} one"),
     # in a row that is to be made, no one that is there
     (f"^(.+?) {_MUST_BE} (?:the )?({_MOST}){_ONES} (?:of|among|out of|from) (?!an? \\w)(.+?) (in an? [^,]*\\b(?:row|"
      "line|column)(?: on .+)?)$", "{3} must be {4} with {1} {2}"),

@@ -365,8 +365,8 @@ def _some_of(whole: Ref, count: int, noun: Noun, scene: Scene) -> Ref:
     free = [n for n in whole.names if n not in scene.parted]
     things = [scene.things[n] for n in free]
     if not alike(things) and any(t.color or t.label for t in things):
-        message = f"it is not said which of {len(free)} different blocks are meant"
-        raise which_one(message, noun.span, "name the blocks")
+        raise refuse("ambiguous", f"it is not said which of {len(free)} different blocks are meant", noun.span,
+                     "name the blocks", blocks=len(free))  # fmt: skip
     if len(free) < count:
         raise refuse(
             "too-many-asked",

@@ -24,9 +24,9 @@ READ = {
         "red block, a yellow block and a blue block must be in a row from left to right in the order red, yellow, blue."
     ),
     "The stack on the left is red over green, the stack on the right is green over red.": "Green block 1 and red "
-    "block 1 must form a tower of exactly two from bottom to top in the order green, red. Red block 2 and green block 2 "
-    "must form a tower of exactly two from bottom to top in the order red, green. Green block 1 must be to the left of red "
-    "block 2.",
+    "block 1 must form a tower of exactly two from bottom to top in the order green, red. Red block 2 and green "
+    "block 2 must form a tower of exactly two from bottom to top in the order red, green. Green block 1 must be to "
+    "the left of red block 2.",
     "Build a tower of four out of two green and two white cubes, with both white ones in the middle.": "The two green "
     "blocks and the two white blocks must form a tower of exactly four from bottom to top in the order green, white, "
     "white, green.",

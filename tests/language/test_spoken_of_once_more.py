@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from tests.language.meaning import assert_means, code_of
+from tests.language.meaning import assert_means, code_of, means
 
 _ROW = {"purple": 4, "pink": 1, "green": 1}
 _TWO_ROWS = {"blue": 4, "pink": 4}
@@ -107,3 +107,49 @@ def test_what_could_be_another_is_asked(text: str, code: Any) -> None:
 def test_each_has_one_of_its_own() -> None:
     told = {"assets": {"brown": 3, "orange": 3}, "hold": ["orange brown ; orange brown ; orange brown"]}
     assert_means("each of the three brown cubes has an orange one to its left", told | {"miss": ["brown*  ; orange*"]})
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("A is left of B and C, and D is left of A.",
+         "The A block must be to the left of the blocks B and C. The D block must be to the left of the A block."),
+        ("Red should be left of blue, green and white, and yellow left of red.",
+         "The red block must be to the left of the blue, green and white blocks. The yellow block must be to the left "
+         "of the red block."),
+        ("Put A next to B and C, and D in front of all three.",
+         "The A block must be next to the B block. The A block must be next to the C block. The D block must be in "
+         "front of the blocks A, B and C."),
+        ("Build a tower of two reds and a tower of two blues and put a white block next to both towers.",
+         "The white block must be next to the tower of the two red blocks. The white block must be next to the tower "
+         "of the two blue blocks."),
+        ("The green block starts on the red patch. Move it to the blue patch and in its place put the yellow one.",
+         "The yellow block must be on the red patch."),
+        ("The red and blue blocks go on the white and yellow patches in that order.",
+         "The red block must be on the white patch. The blue block must be on the yellow patch."),
+        ("lay out a 3x3 grid; the front row is orange, the one behind it green and the back row purple",
+         "the three purple blocks, then the three green blocks, then the three orange blocks"),
+        ("a row of six blocks alternating between pink and yellow",
+         "The three pink blocks and the three yellow blocks must be in a row with alternating colors."),
+        ("Put the red block on the green one and keep the three blue blocks from touching it",
+         "Blue block 1 must not touch the red block."),
+    ],
+)  # fmt: skip
+def test_a_list_ends_at_its_comma_and_places_are_whose_they_are(text: str, told: str) -> None:
+    assert told in means(text)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Make a row of four white blocks and one black block so that the black one is between two white ones.",
+        "Put three green blocks on the patch and a white one between two green ones.",
+        "Two towers of two, red and green, in that order from left to right.",
+        "Build two towers, one of two and one of three blocks, the first red, the second blue.",
+        "Each of the two green blocks sits on a red one, and each of those on a blue one.",
+        "Make a row of red, blue and green, with white, black and gray in front of it in that order.",
+        "The green block starts on the red patch. Move it to the blue patch; in its old place goes the yellow one",
+    ],
+)
+def test_what_may_be_told_of_either_is_asked(text: str) -> None:
+    assert code_of(text) in ("ambiguous", "misplaced")

@@ -75,6 +75,7 @@ from rpg.passes.schema.resolve.things.spare import none_ignored
 from rpg.passes.schema.resolve.things.taken import all_plainly
 from rpg.passes.schema.resolve.things.things import fits, matching, note_named
 from rpg.passes.schema.resolve.things.world import Scene, refuse, said
+from rpg.passes.schema.told_of_which import check_of_which
 from rpg.passes.schema.wordings import wording
 
 MAX_COMBINATIONS = 48
@@ -108,6 +109,7 @@ def build(
                 raise _lost(token)
             check_joints(words, found.task)
             check_invented(words, found.task)
+            check_of_which(words, found.task)
             check_atop(words, found.task)
             check_top_of_which(words, found.task)
         except Refusal as refusal:

@@ -50,6 +50,9 @@ UNIDIOMATIC_AT_ONCE: tuple[Turn, ...] = (
     (f"\\b(starting|beginning) (?:at|from|on) the ({END}) with (?:the )?{_FIRST}", "{1} with the {3} at the {2}"),
     (f"\\b(?:the (?:cubes|blocks|ones)|those) {_SHOWING} the {_SORT} (?=(?:\\w|\\d) (?:,|and) )"
      "(?!.*\\bon (?:them|it)\\b)", "the {1} "),
+    # each on its own, told as an order
+    (f"\\b((?:on|onto) the (?:{COLOR} (?:, and |, |and )?)+{PATCHES})(?: ,)? in (?:that|this|the same) order$",
+     "{1} respectively"),
     # who is meant is named ahead of its pronoun
     (f"^(?:{_AS_FOR} )?({THINGS}{_SHOWN}) , {_WISH} (?:it|them|these|those) ", "i want {1} "),
     (f" , and ({THING}) , it (?=(?:{MUST}|is|goes|stands|lies|sits|belongs) )", " , and {1} "),
@@ -66,6 +69,9 @@ UNIDIOMATIC_AT_ONCE: tuple[Turn, ...] = (
     # a bound that is told last
     *((f"^({NO_NUMBER})\\b((?:a |an )?{many})\\b({NO_NUMBER})(?: ,|-)? (at least|at most|minimum|maximum|exactly)$",
        "{1} {4} {2} {3}") for many in (LENGTH, MANY)),
+    # what takes the place of another one is named last
+    (f"\\b(and|,) in its (?:place|spot|stead)(?: ,)? (put|place|set|lay) ({THING}|an? {LINE} of {MANY} {COLOR}(?: "
+     f"{CUBE}s)?)(?=$| ,| and)", "{1} {2} {3} in its place"),
     # one thing and then the next: behind what is done, "after" with a bare verb is "after that"
     (f" , (?:and )?after (?={_DOES} )", " , then "),
     (f"^after ,? ?(?={_DOES} |{THING} (?:goes |comes )?{PLACE} {THING}$)", "then "),

@@ -3,6 +3,7 @@ what is said behind it is not of its last item alone."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from itertools import pairwise
 
@@ -21,6 +22,7 @@ from rpg.language.meaning import (
     Structure,
     Traits,
     parts_of,
+    replace,
 )
 from rpg.passes.schema.resolve.things.world import refuse
 
@@ -35,6 +37,7 @@ def check_lists(chains: tuple[Chain, ...], text: str) -> None:
             _check_beside_it(clause, text)
             _check_sides(clause)
             _check_one_more(clause, text)
+            _check_comma(clause, text)
             _check_standing(clause, text)
         for built in (part for part in parts_of(chain) if isinstance(part, Structure | Clause)):
             _check_none(built)
@@ -76,9 +79,31 @@ def _check_one_more(clause: Meaning, text: str) -> None:
     for one, other in pairwise(places):
         mark = one.landmark.members if isinstance(one.landmark, Structure) else one.landmark
         last = mark.items[-1] if isinstance(mark, Coord) and mark.op == "and" else None
+        listed = last or mark
+        several = isinstance(listed, Noun) and len(listed.traits.labels or listed.traits.colors) > 1
+        if isinstance(listed, Noun) and several and _ends_ahead(listed, text, placed=True):
+            last = replace(listed, plural=False)
         if isinstance(last, Noun) and not last.plural and not text[one.span[1] : other.span[0]].strip():
             raise refuse("misplaced", "this could be one of those before it, or what is placed there", last.span,
                          "say it in a sentence of its own")  # fmt: skip
+
+
+def _check_comma(clause: Meaning, text: str) -> None:
+    """Refuse "A is left of B and C, and D is left of A" as of "A left of B" and "C and D left of A"."""
+    theme = clause.theme if isinstance(clause, Clause) else None
+    if theme is not None and _ends_ahead(theme, text):
+        raise refuse("misplaced", "a list ends ahead of this, or here?", theme.span, "say it in two sentences")
+
+
+def _ends_ahead(told: Meaning, text: str, placed: bool = False) -> bool:
+    """ "(A is left of B and) C, and D": the comma ends a list that has its "and", so that this is none. `placed`: other
+    places follow, of which the last may be the block."""
+    begin, end = told.span
+    comma = re.search(r",\s+and\b", text[begin:end])
+    ahead = text[:begin].rstrip()
+    inside = comma is not None and re.search(r"\band\b", text[begin : begin + comma.start()])
+    joined = re.search(r"[^,]\s+and$", ahead)
+    return comma is not None and bool(joined or (inside and (placed or ahead.endswith(","))))
 
 
 _OPPOSITE = ({"left", "right"}, {"front", "back"}, {"top", "bottom"})

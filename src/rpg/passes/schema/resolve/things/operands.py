@@ -73,6 +73,8 @@ def one_by_one(mark: Ref, loc: Loc, scene: Scene) -> list[Ref]:
     whole = len(mark.built) == 1 and {*mark.built[0].members} == {*mark.names}  # "(stack A, B, C and put D) next to it"
     if not (whole or scene.denying) and _beside_them(mark, loc, scene):
         raise _each_or_all(loc)
+    if len(mark.built) > 1 and getattr(loc.landmark, "det", "") in ("both", "each", "all"):
+        return [Ref(names=each.members, built=(each,)) for each in mark.built]  # "next to both towers"
     if len(mark.parts) > 1 or mark.built:
         return [mark] if whole else list(mark.parts) or [mark]
     if mark.each or mark.det in ("all", "both") or loc.rel == "touching":

@@ -76,7 +76,8 @@ class Item:
 
 
 def items_of(tokens: Sequence[Token]) -> list[Item] | None:
-    """The words of a text without idle ones; None where a fraction or a numbered list is told."""
+    """The words of a text without idle ones; None where a fraction or a numbered list is told, or where a
+    digit could be a symbol or count blocks."""
     found: list[Item] = []
     for token in tokens:
         word = token.word.strip("'’")
@@ -100,7 +101,19 @@ def items_of(tokens: Sequence[Token]) -> list[Item] | None:
                 found.append(Item(mark, token.raw))
         else:
             found.append(_word(token, word))
-    return found
+    return None if _lone_digit(found) else found
+
+
+def _lone_digit(items: Sequence[Item]) -> bool:
+    """ "Three blocks, 2 on the mat": the only digit by itself could be on a block, or count some of them."""
+    bare = [n for n, item in enumerate(items) if item.raw.isdigit() and item.number]
+    alone = [n for n in bare if n + 1 == len(items) or items[n + 1].text in _BEHIND_DIGIT]
+    told = [n for n in alone if n and items[n - 1].text in _AHEAD_OF_DIGIT]
+    return len(alone) == len(told) == 1
+
+
+_AHEAD_OF_DIGIT = frozenset({",", "and", "with", "."})
+_BEHIND_DIGIT = frozenset({"on", "in", "at", "to", "left", "right", "behind", "beside", "next", ",", ".", "and"})
 
 
 def _word(token: Token, word: str) -> Item:

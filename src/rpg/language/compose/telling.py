@@ -60,6 +60,8 @@ def tell(scene: Scene, told_of: set[int]) -> list[str]:
             raise Unclear
         parts = [" and ".join(_small(sentence).rstrip(".") for sentence in told[stage]) for stage in range(last + 1)]
         said += [f"{'Then' if n else 'First'}, {part}." for n, part in enumerate(parts)]
+    elif last < 0:
+        raise Unclear  # nothing but how it starts
     else:
         said += told[0]
     return list(dict.fromkeys(said))

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
+from itertools import pairwise
 
 from rpg.ir.assets import Block, SemanticCube
 from rpg.ir.schema import TaskSchema
@@ -45,6 +46,22 @@ def check_told(told: Told | None, task: TaskSchema) -> None:
             raise refuse("count-mismatch", f"there are {many} of '{look}', but {had} are spoken of",
                          _where(told, look), "list them all, or say 'another'")  # fmt: skip
     _check_marks(told, task)
+
+
+def check_none_added(words: list[Token], task: TaskSchema) -> None:
+    """Refuse more blocks of a look than a text begins with: "there are 2 red and 4 white cubes, make 2 rows of three,
+    red in front" has no row of three red ones beside the two."""
+    told = [token.word for token in words]
+    if told[:1] != ["there"] or not _FURTHER.isdisjoint(told):
+        return
+    there = Counter(map(_look, task.blocks))
+    for (number, token), verb in zip(pairwise(words), told[1:], strict=False):
+        if verb in lexicon.VERB and verb not in ("is", "are"):
+            return
+        color = lexicon.COLOR.get(token.word)
+        if color is not None and 0 < number.many < there[color]:
+            message = f"there are {number.many} of '{color}', but {there[color]} are spoken of"
+            raise refuse("count-mismatch", message, token.span, "list them all, or say 'another'")
 
 
 def _check_marks(told: Told, task: TaskSchema) -> None:

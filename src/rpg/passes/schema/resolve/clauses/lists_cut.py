@@ -24,7 +24,7 @@ from rpg.language.meaning import (
     parts_of,
     replace,
 )
-from rpg.passes.schema.resolve.things.world import refuse
+from rpg.passes.schema.resolve.things.world import refuse, which_one
 
 
 def check_lists(chains: tuple[Chain, ...], text: str) -> None:
@@ -83,16 +83,17 @@ def _check_one_more(clause: Meaning, text: str) -> None:
         several = isinstance(listed, Noun) and len(listed.traits.labels or listed.traits.colors) > 1
         if isinstance(listed, Noun) and several and _ends_ahead(listed, text, placed=True):
             last = replace(listed, plural=False)
-        if isinstance(last, Noun) and not last.plural and not text[one.span[1] : other.span[0]].strip():
-            raise refuse("misplaced", "this could be one of those before it, or what is placed there", last.span,
-                         "say it in a sentence of its own")  # fmt: skip
+        both = text[slice(*one.span)].count(" both ") > 0  # which are these two
+        if isinstance(last, Noun) and not last.plural and not both and not text[one.span[1] : other.span[0]].strip():
+            raise which_one("this could be one of those before it, or what is placed there", last.span,
+                            "say it in a sentence of its own")  # fmt: skip
 
 
 def _check_comma(clause: Meaning, text: str) -> None:
     """Refuse "A is left of B and C, and D is left of A" as of "A left of B" and "C and D left of A"."""
     theme = clause.theme if isinstance(clause, Clause) else None
     if theme is not None and _ends_ahead(theme, text):
-        raise refuse("misplaced", "a list ends ahead of this, or here?", theme.span, "say it in two sentences")
+        raise which_one("a list ends ahead of this, or here?", theme.span, "say it in two sentences")
 
 
 def _ends_ahead(told: Meaning, text: str, placed: bool = False) -> bool:

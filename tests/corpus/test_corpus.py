@@ -15,7 +15,7 @@ from tests.corpus.templates import case
 
 FLOOR = {"dev": 0.98, "heldout": 0.89, "fresh": 0.93, "strangers": 0.88, "hunters": 0.68}
 """The least share of each split that must be right."""
-EVERY = {"dev": 60, "strangers": 120, "hunters": 30}
+EVERY = {"dev": 90, "heldout": 2, "strangers": 180, "hunters": 45}
 
 
 @pytest.fixture(scope="module", params=SPLITS)
@@ -40,11 +40,11 @@ def test_the_corpus_is_large_and_its_refusals_are_many() -> None:
     assert len({entry.text for entry in entries}) == len(entries)
 
 
-@pytest.mark.parametrize("start", range(0, 600, 100))
+@pytest.mark.parametrize("start", range(0, 300, 50))
 def test_sentences_from_templates_are_never_misread(start: int) -> None:
     misread = [
         f"{one.text}: {why}"
-        for one, (found, why) in ((case(seed), outcome(case(seed))) for seed in range(start, start + 100))
+        for one, (found, why) in ((case(seed), outcome(case(seed))) for seed in range(start, start + 50))
         if found in ("wrong", "crash")
     ]
     assert not misread, "\n".join(misread)

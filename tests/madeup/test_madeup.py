@@ -7,7 +7,7 @@ from collections import Counter
 from tests.madeup import made_up
 from tests.madeup.judged import judged
 
-SENTENCES = 120
+SENTENCES = 80
 READ = 0.7
 """At least so many are read right."""
 

@@ -83,7 +83,7 @@ def _check_one_more(clause: Meaning, text: str) -> None:
         several = isinstance(listed, Noun) and len(listed.traits.labels or listed.traits.colors) > 1
         if isinstance(listed, Noun) and several and _ends_ahead(listed, text, placed=True):
             last = replace(listed, plural=False)
-        both = text[slice(*one.span)].count(" both ") > 0  # which are these two
+        both = one.rel == "in" or " both " in text[slice(*one.span)]  # which are these two
         if isinstance(last, Noun) and not last.plural and not both and not text[one.span[1] : other.span[0]].strip():
             raise which_one("this could be one of those before it, or what is placed there", last.span,
                             "say it in a sentence of its own")  # fmt: skip

@@ -129,6 +129,11 @@ def test_each_has_one_of_its_own() -> None:
          "The red block must be on the white patch. The blue block must be on the yellow patch."),
         ("lay out a 3x3 grid; the front row is orange, the one behind it green and the back row purple",
          "the three purple blocks, then the three green blocks, then the three orange blocks"),
+        ("Two towers, three blocks each. The red one must not touch the blue one.",
+         "The three blue blocks must form a tower of exactly three. The three red blocks must not touch the tower of "
+         "the three blue blocks."),
+        ("Two towers of three blocks. The red one must be left of the blue one.",
+         "The tower of the three red blocks must be to the left of the tower of the three blue blocks."),
         ("a row of six blocks alternating between pink and yellow",
          "The three pink blocks and the three yellow blocks must be in a row with alternating colors."),
         ("Put the red block on the green one and keep the three blue blocks from touching it",
@@ -143,6 +148,7 @@ def test_a_list_ends_at_its_comma_and_places_are_whose_they_are(text: str, told:
     "text",
     [
         "Make a row of four white blocks and one black block so that the black one is between two white ones.",
+        "Make a row of 4 white blocks and 1 black block so that the black one is between two white ones.",
         "Put three green blocks on the patch and a white one between two green ones.",
         "Two towers of two, red and green, in that order from left to right.",
         "Build two towers, one of two and one of three blocks, the first red, the second blue.",

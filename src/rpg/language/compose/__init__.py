@@ -23,13 +23,9 @@ from rpg.language.frames.retelling import standing
 from rpg.language.tokens import Token
 
 
-def composed(tokens: Sequence[Token]) -> Iterator[tuple[list[Token], str]]:
-    """The text in plain sentences, and the words of that, if all ways to read it come to the same."""
-    yield from ((ways[0], said) for ways, said in composed_ways(tokens) if len(ways) == 1)
-
-
 def composed_ways(tokens: Sequence[Token]) -> Iterator[tuple[list[list[Token]], str]]:
-    """The same, and where it may be had in several ways, the text of each of them."""
+    """The text in plain sentences, and the words of that, if all ways to read it come to the same; and where it may be
+    had in several ways, the text of each of them."""
     told = _all_told(tokens)
     for text, ways in told.items() if len(told) == 1 else ():
         yield [standing(text, tokens)], text

@@ -3,85 +3,94 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import pairwise
 
 from rpg.ir.schema import COLORS_UNSAID, TaskSchema
 from rpg.language import lexicon
 from rpg.language.tokens import Token
 from rpg.passes.schema.resolve.things.world import refuse
 
-_ONES = frozenset({"ones", *(noun for noun, plural in lexicon.BLOCK.items() if plural)})
-_OLD = frozenset({"old", "former", "previous"})
+_SEVERAL = frozenset({"ones", *(noun for noun, plural in lexicon.BLOCK.items() if plural)})
+_IN_THAT_ORDER = (("in", "that", "order"), ("in", "this", "order"))
+_IN_ITS_PLACE = tuple(
+    ("in", "its", *old, place, goes)
+    for old in ((), ("old",), ("former",), ("previous",))
+    for place in ("place", "spot", "stead")
+    for goes in ("goes", "comes", "put")
+)
+_IN_FRONT_OF_IT = (("in", "front", "of", "it"), ("behind", "it"))
+_NEAR = 3
+"""Colours stand within so many words ahead of the order that they are said to be in."""
 
 
 def check_of_which(words: Sequence[Token], task: TaskSchema) -> None:
-    """Refuse what can be told of two things, of which one would be a guess."""
+    """Refuse what can be told of two things, of which one would be a guess.
+
+    Raises:
+        Refusal: "ambiguous", or "misplaced" for an order of which it is not clear what is in it.
+    """
     _between_two(words, task)
-    _the_first(words, task)
-    told = [token.word for token in words]
-    for at in range(len(words)):
-        ahead, here = told[:at], told[at:]
-        if here[:2] == ["in", "its"] and _at_its_place(here[2:]) and not {"put", "move"}.isdisjoint(ahead):
-            raise refuse("ambiguous", "whose place is this?", words[at].span, "name the place")
-        if here[:3] == ["each", "of", "those"] and "each" in ahead:
-            raise refuse("ambiguous", "it is not clear which these are", words[at].span, "name the blocks")
-        if here[:2] == ["with", "the"] or here[:1] != ["with"]:
-            continue
-        side = next((n for n in range(at, len(words) - 2) if told[n + 1 : n + 3] == ["it", "in"]), None)
-        beside = side is not None and (told[side] == "behind" or told[side - 2 : side + 1] == ["in", "front", "of"])
-        if side is not None and beside and told[side + 3 : side + 5] in (["that", "order"], ["this", "order"]):
-            raise refuse("misplaced", "it is not clear which of the blocks are in this order", words[side + 3].span,
-                         "say from which side on they follow, in a sentence of its own")  # fmt: skip
-
-
-def _at_its_place(words: Sequence[str]) -> bool:
-    """ "... (in its) old place goes the green one"."""
-    old = bool(words) and words[0] in _OLD
-    return list(words[old : old + 2]) in (["place", "goes"], ["place", "comes"], ["spot", "goes"], ["place", "put"])
+    if task.assumed(COLORS_UNSAID):
+        _of_structures(words)
+    _each_of_those(words)
+    _whose_place(words)
+    _beside_it_in_order(words)
 
 
 def _between_two(words: Sequence[Token], task: TaskSchema) -> None:
     """Refuse "a row of four white blocks and a black one that is between two white ones" as of six white ones."""
-    for color, at in _colors_behind(words, ("between", "two")):
-        many = sum(block.color == color for block in task.blocks)
-        counted = max((lexicon.NUMBER.get(words[n].word, 0) for n, c in _counted(words[:at]) if c == color), default=0)
-        if 1 < counted < many and words[at + 1].word in _ONES:
+    for at in _behind(words, (("between", "two"),)):
+        color = lexicon.COLOR.get(words[at].word) if at < len(words) else None
+        if color is None or not any(token.word in _SEVERAL for token in words[at + 1 : at + 2]):
+            continue
+        counted = [number.many for number, hue in pairwise(words[:at]) if lexicon.COLOR.get(hue.word) == color]
+        if 1 < max(counted, default=0) < sum(block.color == color for block in task.blocks):
             raise refuse("ambiguous", "these could be two of those before them, or further ones", words[at].span,
                          "say 'two of them', or 'two other'")  # fmt: skip
 
 
-def _counted(words: Sequence[Token]) -> Iterator[tuple[int, str]]:
-    """Where a number stands in front of a colour."""
-    for n in range(len(words) - 1):
-        color = lexicon.COLOR.get(words[n + 1].word)
-        if color is not None and words[n].word in lexicon.NUMBER:
-            yield n, color
-
-
-def _the_first(words: Sequence[Token], task: TaskSchema) -> None:
+def _of_structures(words: Sequence[Token]) -> None:
     """Refuse "two towers, the first red, the second blue" as towers of which the first has a red block in it, and "two
     towers, red and green, in that order" as towers of whatever colours."""
-    if not task.assumed(COLORS_UNSAID):
-        return
     shapes = [lexicon.STRUCTURE[token.word] for token in words if token.word in lexicon.STRUCTURE]
-    several = len(shapes) > 1 or any(plural for _, plural in shapes)
-    for color, at in _colors_behind(words, ("the", "first")) if several else ():
-        raise refuse("ambiguous", f"is the first one {color}, or its first block?", words[at].span,
-                     "say of each of them what it is made of")  # fmt: skip
-    told = [token.word for token in words]
-    orders = [
-        n
-        for n in range(len(told) - 2)
-        if told[n] == "in" and told[n + 1] in ("that", "this") and told[n + 2] == "order"
-    ]
-    for n in orders if several else ():
-        if any(token.word in lexicon.COLOR for token in words[max(0, n - 3) : n]):
-            raise refuse("ambiguous", "are these the colours of the structures, or further blocks?", words[n].span,
+    if len(shapes) < 2 and not any(plural for _, plural in shapes):
+        return
+    for at in _behind(words, (("the", "first"),)):
+        if at < len(words) and words[at].word in lexicon.COLOR:
+            raise refuse("ambiguous", f"is the first one {words[at].word}, or its first block?", words[at].span,
+                         "say of each of them what it is made of")  # fmt: skip
+    for at in _behind(words, _IN_THAT_ORDER):
+        begin = at - len(_IN_THAT_ORDER[0])
+        if any(token.word in lexicon.COLOR for token in words[max(0, begin - _NEAR) : begin]):
+            raise refuse("ambiguous", "are these the colours of the structures, or further blocks?", words[begin].span,
                          "say of each of them what it is made of")  # fmt: skip
 
 
-def _colors_behind(words: Sequence[Token], ahead: tuple[str, str]) -> Iterator[tuple[str, int]]:
-    """Colours that stand behind two words, and where."""
-    for n in range(len(words) - 3):
-        color = lexicon.COLOR.get(words[n + 2].word)
-        if color is not None and (words[n].word, words[n + 1].word) == ahead:
-            yield color, n + 2
+def _each_of_those(words: Sequence[Token]) -> None:
+    """Refuse "each green block sits on a red one, and each of those on a blue one"."""
+    for at in _behind(words, (("each", "of", "those"),)):
+        if any(token.word == "each" for token in words[: at - 3]):
+            raise refuse("ambiguous", "it is not clear which these are", words[at - 1].span, "name the blocks")
+
+
+def _whose_place(words: Sequence[Token]) -> None:
+    """Refuse "move the green block to the blue mat; in its old place goes the yellow one" as one that stays."""
+    for at in _behind(words, _IN_ITS_PLACE):
+        if any(token.word in ("put", "move") for token in words[: at - 1]):
+            raise refuse("ambiguous", "whose place is this?", words[at - 2].span, "name the place")
+
+
+def _beside_it_in_order(words: Sequence[Token]) -> None:
+    """Refuse "a row of red and blue, with white and black in front of it in that order" as an order of the row."""
+    for at in _behind(words, _IN_FRONT_OF_IT):
+        follows = tuple(token.word for token in words[at : at + 3]) in _IN_THAT_ORDER
+        if follows and any(a.word == "with" and b.word != "the" for a, b in pairwise(words[:at])):
+            raise refuse("misplaced", "it is not clear which of the blocks are in this order", words[at].span,
+                         "say from which side on they follow, in a sentence of its own")  # fmt: skip
+
+
+def _behind(words: Sequence[Token], phrases: Sequence[tuple[str, ...]]) -> Iterator[int]:
+    """The positions behind these words."""
+    told = [token.word for token in words]
+    for at in range(len(told)):
+        yield from (at + len(phrase) for phrase in phrases if tuple(told[at : at + len(phrase)]) == phrase)

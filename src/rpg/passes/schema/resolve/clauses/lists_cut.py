@@ -22,7 +22,6 @@ from rpg.language.meaning import (
     Structure,
     Traits,
     parts_of,
-    replace,
 )
 from rpg.passes.schema.resolve.things.world import refuse, which_one
 
@@ -77,16 +76,25 @@ def _check_one_more(clause: Meaning, text: str) -> None:
     """Refuse "... behind a row of three red blocks and the X block right of it" as behind a row with the X in it."""
     places = [x for x in clause.adjuncts if isinstance(x, Loc)] if isinstance(clause, Clause) else []
     for one, other in pairwise(places):
-        mark = one.landmark.members if isinstance(one.landmark, Structure) else one.landmark
-        last = mark.items[-1] if isinstance(mark, Coord) and mark.op == "and" else None
-        listed = last or mark
-        several = isinstance(listed, Noun) and len(listed.traits.labels or listed.traits.colors) > 1
-        if isinstance(listed, Noun) and several and _ends_ahead(listed, text, placed=True):
-            last = replace(listed, plural=False)
-        both = one.rel == "in" or " both " in text[slice(*one.span)]  # which are these two
-        if isinstance(last, Noun) and not last.plural and not both and not text[one.span[1] : other.span[0]].strip():
+        last = _last_listed(one, text)
+        if last is not None and not text[one.span[1] : other.span[0]].strip():
             raise which_one("this could be one of those before it, or what is placed there", last.span,
                             "say it in a sentence of its own")  # fmt: skip
+
+
+def _last_listed(place: Loc, text: str) -> Noun | None:
+    """What ends the list that something is placed to, if it may as well be a block that is placed itself: one block
+    behind "and", or a list that had its "and" before; but neither of "both B and C"."""
+    if place.rel == "in" or " both " in text[slice(*place.span)]:
+        return None
+    mark = place.landmark.members if isinstance(place.landmark, Structure) else place.landmark
+    joined = isinstance(mark, Coord) and mark.op == "and"
+    last = mark.items[-1] if isinstance(mark, Coord) and joined else mark
+    if not isinstance(last, Noun):
+        return None
+    several = len(last.traits.labels or last.traits.colors) > 1
+    ended = several and _ends_ahead(last, text, placed=True)
+    return last if ended or (joined and not last.plural) else None
 
 
 def _check_comma(clause: Meaning, text: str) -> None:

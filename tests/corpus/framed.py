@@ -14,7 +14,7 @@ from functools import partial
 from rpg.core.diagnostics import Refusal
 from rpg.ir.schema import TaskSchema
 from rpg.language.chat import as_typed
-from rpg.language.compose import composed
+from rpg.language.compose import composed_ways
 from rpg.language.formulas import formulas_told
 from rpg.language.spelling import read_words
 from rpg.language.tokens import tokenize
@@ -47,11 +47,12 @@ class _Third(BuiltinFrontEnd):
         try:
             tokens, strays = formulas_told(*tokenize(text))
             words, _, wrong = read_words(as_typed(tokens))
-            found = None if wrong or strays else next(composed(words), None)
+            found = None if wrong or strays else next(composed_ways(words), None)
             if found is None:
                 return None
-            notes = [f"understood as: {found[1]}"]
-            return self._read_tokens((found[0], []), text, None, 0, None, [], notes, again=False)[0]
+            (plain, *_), said = found
+            notes = [f"understood as: {said}"]
+            return self._read_tokens((plain, []), text, None, 0, None, [], notes, again=False)[0]
         except Refusal:
             return None
 

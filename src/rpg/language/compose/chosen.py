@@ -2,11 +2,23 @@
 
 from __future__ import annotations
 
-from rpg.language.compose.figures import ALL, Resolve, figure_fits
+from rpg.language.compose.figures import figure_fits
 from rpg.language.compose.items import FIGURES
 from rpg.language.compose.places_of import places
-from rpg.language.compose.scene import SIDES, Fact, Ref, Scene, Unclear
-from rpg.language.compose.syntax import Bears, Chain, Holding, Holds, Looks, Noun, Phrase, Place, Predicate, Pronoun
+from rpg.language.compose.scene import SIDES, Fact, Ref, Resolve, Scene, Unclear
+from rpg.language.compose.syntax import (
+    ALL,
+    Bears,
+    Chain,
+    Holding,
+    Holds,
+    Looks,
+    Noun,
+    Phrase,
+    Place,
+    Predicate,
+    Pronoun,
+)
 
 _BESIDE = {**SIDES, "next": "next to"}
 

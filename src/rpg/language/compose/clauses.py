@@ -6,28 +6,21 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import NamedTuple
 
-from rpg.language import lexicon
-from rpg.language.compose.becoming import Becoming
-from rpg.language.compose.items import FIGURES
+from rpg.language.compose.commands import Commands, says
 from rpg.language.compose.series import counted
+from rpg.language.compose.stated import STOPS
 from rpg.language.compose.syntax import (
     STAY,
-    TOWER,
     Among,
     Bears,
     Both,
     Clause,
     Label,
-    Looks,
-    Made,
     Noun,
     Phrase,
-    Place,
-    Predicate,
     Pronoun,
-    is_figure,
 )
-from rpg.language.compose.verbs import AUX, BUILT, STAYS, opposite_of
+from rpg.language.compose.verbs import STAYS
 from rpg.language.compose.words import Ways, remembered
 
 _LEADS = (
@@ -40,25 +33,6 @@ _LEADS = (
     "make sure", "see to it that", "make it so that", "need", "at the end", "in the end",
     "i have got", "you have got", "got", "have", "u got", "here is", "here are", "take", "use", "we got",
 )  # fmt: skip
-_BUILD = frozenset({
-    "build", "make", "construct", "create", "form", "assemble", "lay", "arrange", "set", "erect", "produce",
-    "prepare", "put", "stack", "stand", "place", "raise", "draw", "compose", "show", "write",
-})  # fmt: skip
-_BUILD_ME = ("me", "up", "out", "down", "together")
-_PUT = frozenset({
-    "put", "place", "set", "move", "lay", "stand", "bring", "position", "add", "stack", "get", "drop", "rest",
-    "slide", "push", "shift", "transfer", "pile", "seat", "sit",
-})  # fmt: skip
-_LINED = (
-    "lined up from left to right", "lined up left to right", "in a row from left to right",
-    "in a line from left to right", "from left to right", "left to right",
-)  # fmt: skip
-_STACK = frozenset({"stack", "pile"})
-_CAP = frozenset({"cap", "top", "crown"})
-_PILED_AT = frozenset({"on", "in", "off", "under", "region", "top", "table"})
-"""Where one may stack things; what is stacked beside something, or between, need not stand on the table."""
-_BEHIND_COMMA = frozenset({"in turn", "side by side", "rising", "any order"})
-_LINE = Noun(det="a", noun="line")
 _THERE = ("there is", "there are", "you have", "we have", "i have", "here is", "here are")
 _THEN = (
     ", finally", ", and finally", ". finally", "; finally", "and finally", ". lastly", ", then",
@@ -66,9 +40,6 @@ _THEN = (
     ". afterwards", ". next", ", and after that", ", next",
 )  # fmt: skip
 _START = ("at the start", "at the beginning", "initially", "to begin with", "in the beginning", "at start", "at first")
-_FRONTED = (",", "is", "are", "goes", "go", "stands", "stand", "there is", "there are", "there should be", "sits",
-            "lies", ", there is", ", there are", "must be", "should be", "place", "put", ", put", ", place", "i want",
-            "comes", "build", ", build")  # fmt: skip
 _SEPARATORS = (
     ", and then there is", ", and there is", ", and", ", but", ", while", ", with", ", plus", ", whereas", ", so that",
     ", of which", ", except that", "except that", ", such that", "such that", "in such a way that", ", where", "where",
@@ -91,9 +62,6 @@ _WITH = frozenset({
 """Behind these stands what is so of a thing that is told of, not a further thing."""
 
 
-_STOPS = frozenset({".", "!", "?", ",", ";", ":"})
-
-
 class Step(NamedTuple):
     """A clause, where the next one begins, and of that: whether it has to say something, is of later, and is joined to
     this one, so that its verb may be the verb of both."""
@@ -105,7 +73,7 @@ class Step(NamedTuple):
     joined: bool = False
 
 
-class Reader(Becoming):
+class Reader(Commands):
     """Reads the clauses of a text."""
 
     def steps(self, at: int, *, said: bool = False) -> Iterator[Step]:
@@ -120,16 +88,10 @@ class Reader(Becoming):
                 yield Step(clause, end)
             for words in (*_SEPARATORS, ""):
                 if (start := self.past(end, words.split())) and (words or self.text(end) in {"whose", "without"}):
-                    yield Step(clause, self._begin(start), said=words in _WITH, joined=words not in _STOPS)
+                    yield Step(clause, self._begin(start), said=words in _WITH, joined=words not in STOPS)
             for words in _THEN:
                 if start := self.past_any(end, words):
                     yield Step(clause, self._begin(start), later=True)
-
-    def _begin(self, at: int) -> int:
-        """Where the next clause begins."""
-        while self.text(at) in _STOPS:
-            at += 1
-        return at
 
     @remembered
     def clause(self, at: int) -> Ways[Clause]:
@@ -165,7 +127,7 @@ class Reader(Becoming):
         if either := self.past_any(at, "either"):
             for one, end in self.clause(either):
                 if one.predicates and one.other is None and (start := self.past_any(end, "or", ", or")):
-                    found += [(replace(one, other=other), stop) for other, stop in self.clause(start) if _says(other)]
+                    found += [(replace(one, other=other), stop) for other, stop in self.clause(start) if says(other)]
         if end := self.past_any(at, "nothing on", "none on", "nothing on top of", "nothing is on", "nothing may be on"):
             found += [(Clause(what, (Bears(None),)), stop) for what, stop in self.phrase(end)]
         late = [(said, start) for said, end in found if (start := self.past_any(end, *_START)) and said.predicates]
@@ -216,172 +178,6 @@ class Reader(Becoming):
             starts += new
         return starts
 
-    def _command(self, at: int) -> Ways[Clause]:
-        no = self.past_any(at, "do not", "never")
-        verb = self.text(no or at)
-        start = self.past_any((no or at) + 1, *_BUILD_ME) or (no or at) + 1
-        found: Ways[Clause] = []
-        if verb in _BUILD and not no:
-            built = self._built(start, laid=verb in _PUT)
-            found += [way for way in built if verb not in _STACK or not is_figure(way[0].subject)]
-        if (verb in _PUT or verb in _BUILD) and not no:
-            ahead = [way for way in self._rest(start) if isinstance(way[0][0], Made)]
-            listed = [(what, said, end) for said, at in ahead for what, end in self.phrase(self._begin(at))]
-            found += [(Clause(what, said, "build"), end) for what, said, end in listed]
-        if verb in _PUT or verb in _BUILD:
-            for what, end in self.phrase(start):
-                for said, stop in self.predicates(end):
-                    if isinstance(said[0], Place) and (verb not in _STACK or said[0].relation in _PILED_AT):
-                        if verb in _STACK and several(what):
-                            said = (Made(TOWER), *said)
-                        found.append((Clause(what, said, "put"), stop))
-        found += self._line_up(at) if not no else []
-        if verb in _PUT and not no:
-            found += self._until(start)
-        if verb in _CAP and not no:
-            for what, end in self.phrase(start):
-                upper = self.single(end + 1) if self.text(end) == "with" else ()
-                found += [(Clause(what, (Bears(one),), "put"), stop) for one, stop in upper]
-        if verb in _STACK and not no:
-            for what, end in self.phrase(start):
-                for tower, stop in ((TOWER, end), *self.ordered(TOWER, end)):
-                    found.append((Clause(what, (Made(tower),), "build"), stop))
-        if no:
-            denied = [(replace(clause, predicates=opposite_of(clause.predicates)), end) for clause, end in found]
-            found = [(clause, end) for clause, end in denied if clause.predicates]
-        return found
-
-    def _line_up(self, at: int) -> Ways[Clause]:
-        """ "line up A, B and C", "line them up"."""
-        found: Ways[Clause] = []
-        if self.text(at) == "line":
-            apart = [(what, end + 1) for what, end in self.single(at + 1) if self.text(end) == "up"]
-            found += [(Clause(what, (Made(_LINE),), "build"), end) for what, end in apart]
-        if lined := self.past_any(at, "line up"):
-            lined_up = [way for way in self._existing(lined) if not is_figure(way[0], but="tower")]
-            found += [(Clause(what, (Made(_LINE), *said), "build"), end) for what, said, end in lined_up]
-            rows = [(what, way) for what, end in self.phrase(lined) for way in self.ordered(_LINE, end)]
-            found += [(Clause(what, (Made(row),), "build"), end) for what, (row, end) in rows]
-        return found
-
-    def _until(self, start: int) -> Ways[Clause]:
-        """ "(bring) the two over so that both are next to it": where they are to be is told behind."""
-        found: Ways[Clause] = []
-        for what, end in self.phrase(start):
-            so = self.past_any(end + (self.text(end) in {"over", ","}), "so that", "such that", "until")
-            for clause, stop in self._statement(so) if so else ():
-                same = isinstance(clause.subject, Pronoun) and (clause.subject.word == "it") != several(what)
-                if same and clause.mood in {"so", "must"} and _says(clause):
-                    found.append((replace(clause, subject=what, mood="put"), stop))
-        return found
-
-    def _built(self, start: int, *, laid: bool) -> Ways[Clause]:
-        """What is to be built, with what is said of it, or of what it is built; only figures are `laid` so."""
-        found: Ways[Clause] = []
-        for what, end in self.phrase(start):
-            if not laid or (isinstance(what, Noun) and what.noun in FIGURES):
-                found.append((Clause(what, (), "build"), end))
-                found += [(Clause(what, (), "build", said), stop) for said, stop in self.last_at(what, end)]
-                found += [(Clause(what, said, "build"), stop) for said, stop in self._rest(end)]
-            sorted_so = [(row.order, at) for row, at in self.ordered(Noun(noun="row"), end)]
-            intos = [(order, at + (self.text(at) == ",")) for order, at in [("", end), *sorted_so]]
-            for order, figure, stop in ((order, *way) for order, at in intos for way in self.into(at)):
-                figure = replace(figure, order=order) if order else figure
-                found.append((Clause(what, (Made(figure),), "build"), stop))
-                found += [(Clause(what, (Made(figure), *said), "build"), last) for said, last in self._rest(stop)]
-        return found
-
-    def _existing(self, at: int) -> list[tuple[Phrase, tuple[Predicate, ...], int]]:
-        """What is told without a verb: "a tower of two on the patch"."""
-        found: list[tuple[Phrase, tuple[Predicate, ...], int]] = []
-        for what, end in self.phrase(at):
-            found.append((what, (), end))
-            found += [(what, said, stop) for said, stop in self._rest(end)]
-        return found
-
-    def _spelled(self, at: int) -> Ways[Clause]:
-        """ "spell CAT in a row"."""
-        start = self.past_any(at, "the word", "out") or at
-        word = self.items[start].value if start < len(self.items) else ""
-        if not word.isalpha():
-            return []
-        end = self.past_any(start + 1, "in a row", "in a line") or start + 1
-        what = Noun(det="a", noun="word", word=word)
-        return [(Clause(what, (), "build"), end), *((Clause(what, s, "build"), e) for s, e in self.predicates(end))]
-
-    def _fronted(self, at: int) -> Ways[Clause]:
-        """ "behind it another row", "between both is the digit 0", "beside this stack goes a tower"."""
-        found: Ways[Clause] = []
-        if within := self.past_any(at, "in", "of"):
-            wholes = [way for way in self.phrase(within) if isinstance(way[0], Noun | Both)]
-            found += [(Clause(what, (), "in"), end) for what, end in wholes]
-        for place, end in self.place(at):
-            starts = {self.past_any(end, way) for way in _FRONTED} | {end}
-            for start in starts - {0}:
-                listed = [way for way in self.single(start) if self.text(way[1]) == "," and self.label(way[1] + 1)]
-                found += [
-                    (Clause(what, (place,)), stop) for what, stop in self.single(start) if (what, stop) not in listed
-                ]
-        return found
-
-    def _statement(self, at: int) -> Ways[Clause]:
-        found: Ways[Clause] = []
-        for what, stop in self.phrase(at):
-            if built := self.past_any(stop, *BUILT):
-                found.append((Clause(what, (), "build"), built))
-            for aside, start in ((None, stop), *self._aside(stop), *self.last_at(what, stop)):
-                mood = self._mood(start)
-                found += [(Clause(what, said, mood, aside), end) for said, end in self.verbs(start)]
-        return found
-
-    def _mood(self, at: int) -> str:
-        """Whether a verb says what is so, what is allowed, what has to be, or what is so at the end."""
-        if self.text(at) in {"may", "can"} and self.text(at + 1) != "not":
-            return "may"
-        aux = self.past_any(at, *AUX)
-        if self.past_any(aux or at, "end up", "ends up"):
-            return "end"
-        return "must" if aux or self.text(at) == "not" else "so"
-
-    def _aside(self, at: int) -> Ways[Clause]:
-        """ ", with Q on top,": between a subject and its verb."""
-        found: Ways[Clause] = []
-        if start := self.past_any(at, ", with", "with"):
-            for what, end in self.single(start):
-                for place, stop in self.place(end):
-                    if place.of is None:
-                        found.append((Clause(what, (place,), "must"), stop + (self.text(stop) == ",")))
-        return found
-
-    def _rest(self, at: int) -> Ways[tuple[Predicate, ...]]:
-        """What may be said of a thing that is told of without a verb, or behind a comma."""
-        start = self.past_any(at, ", which") or (
-            at + 1 if self.past_any(at + 1, *_LINED) and self.text(at) == "," else at
-        )
-        looks: Ways[tuple[Predicate, ...]] = [((Looks(how),), end) for how, end in self._ordered(start)]
-        if self.text(at) == ",":
-            looks += [((place,), end) for place, end in self.place(at + 1) if place.relation in _BEHIND_COMMA]
-        if color := lexicon.COLOR.get(self.text(start)):
-            looks.append(((Looks(Noun(color=color)),), start + 1))
-        if end := self.past_any(start, *_LINED):
-            looks.append(((Made(Noun(det="a", noun="row", ranks=("left",))),), end))
-        sorted_so = self.ordered(Noun(det="a", noun="row"), start)
-        looks += [((Made(row),), end) for row, end in sorted_so if self.text(end - 1) == "right"]
-        if end := self.past_any(start, "lined up", ", lined up"):
-            looks.append(((Made(_LINE),), end))
-        verbs = self.verbs(start) if start > at or self.text(start).endswith("ing") else []
-        return [*looks, *self.predicates(start), *verbs]
-
-
-def _says(clause: Clause) -> bool:
-    """Whether a clause says one thing, and by itself."""
-    return bool(clause.predicates) and clause.other is None and clause.aside is None
-
 
 def _several_named(phrase: Phrase) -> bool:
     return isinstance(phrase, Both) and not phrase.either
-
-
-def several(phrase: Phrase) -> bool:
-    """Whether more than one block is told."""
-    return not isinstance(phrase, Label | Noun) or (isinstance(phrase, Noun) and (phrase.many or phrase.count > 1))

@@ -57,6 +57,10 @@ class Contents(Series, ABC):
         """A noun phrase that is not joined to others."""
 
     @abstractmethod
+    def simple(self, at: int) -> Ways[Phrase]:
+        """A noun phrase that is no chain of what lies on what."""
+
+    @abstractmethod
     def _noun(self, at: int) -> Ways[Phrase]:
         """A noun with all that belongs to it."""
 

@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from rpg.language.compose.figures import ALL, Resolve
 from rpg.language.compose.items import shows
-from rpg.language.compose.scene import Ref, Scene, Unclear
-from rpg.language.compose.syntax import Both, Label, Noun, Phrase
+from rpg.language.compose.scene import Ref, Resolve, Scene, Unclear
+from rpg.language.compose.syntax import ALL, Both, Label, Noun, Phrase
 
 _WORTH = {"bottom": 1, "short": 1, "top": -1, "tall": -1}
 """Whether the lowest or the highest number comes first."""

@@ -6,14 +6,15 @@ from dataclasses import replace
 from itertools import combinations
 
 from rpg.language.compose.chosen import chosen
-from rpg.language.compose.figures import ALL, figures_of, has_first, is_farthest, part, within
+from rpg.language.compose.figures import figures_of, is_farthest
 from rpg.language.compose.items import FIGURES, PARTS, SYMBOL_KINDS
 from rpg.language.compose.lined import feet
 from rpg.language.compose.listed import by_worth, counted_alike, symbols
 from rpg.language.compose.others import others, take
+from rpg.language.compose.parts import has_first, part, within
 from rpg.language.compose.pronouns import pronoun
 from rpg.language.compose.scene import TOWARD, Patch, Ref, Scene, Unclear
-from rpg.language.compose.syntax import Both, Chain, Label, Listing, Noun, Phrase, Pronoun
+from rpg.language.compose.syntax import ALL, Both, Chain, Label, Listing, Noun, Phrase, Pronoun
 
 _HIGH = {"top": "tall", "bottom": "short"}
 """The highest of several towers is the one with the most blocks."""

@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from rpg.language.compose.nouns import resolve
-from rpg.language.compose.relating import on, place
+from rpg.language.compose.relating import place
+from rpg.language.compose.resting import on
 from rpg.language.compose.scene import SIDES, Ref, Scene, Unclear
 from rpg.language.compose.syntax import Both, Noun, Phrase, Place, Predicate, any_number, on_an_end
 

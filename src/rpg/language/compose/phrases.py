@@ -6,20 +6,16 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from rpg.language import lexicon
-from rpg.language.compose.contents import Contents
-from rpg.language.compose.heads import NAMED, RELATIONS, TOLD_BY
-from rpg.language.compose.items import FIGURES, PARTS, RANK, SYMBOL, SYMBOL_KINDS, shows
+from rpg.language.compose.heads import NAMED, TOLD_BY
+from rpg.language.compose.items import FIGURES, PARTS, SYMBOL, SYMBOL_KINDS
+from rpg.language.compose.relatives import Relatives
+from rpg.language.compose.some_of import labelled
 from rpg.language.compose.syntax import (
-    Bears,
     Both,
     Chain,
-    Holding,
-    Holds,
-    Label,
     Listing,
     Noun,
     Phrase,
-    Predicate,
     Pronoun,
     counted,
     is_figure,
@@ -33,14 +29,11 @@ _DETS = {
     "another": "another", "any": "any", "this": "the", "that": "the", "these": "the", "those": "the", "my": "the",
     "our": "the", "whichever": "the", "either": "each", "second": "another", "further": "another",
 }  # fmt: skip
-_HOLDING = ("with", "without", "containing", "having", "including")
 _STANDS = ("is", "comes", "stands")
 _THAT_STANDS = ("that is", "which is", "that stands", "which stands")
-_CHOSEN = frozenset({"the", "each", "all", "both"})
-_ONES = Noun(det="the", noun="one", many=True)
 
 
-class Phrases(Contents):
+class Phrases(Relatives):
     """Reads noun phrases."""
 
     @remembered
@@ -51,7 +44,7 @@ class Phrases(Contents):
         named = self.past_any(many + 1, *NAMED) or many + 1
         if self.text(many) in TOLD_BY and self.items[many].many and self.label(named):
             kind = SYMBOL.get(self.text(many), "")
-            found += [(both, end) for both, end in self.phrase(named) if _labelled(both, kind)]
+            found += [(both, end) for both, end in self.phrase(named) if labelled(both, kind)]
         found += self.series(at)
         for part, end in self.single(at):
             found.append((part, end))
@@ -81,7 +74,7 @@ class Phrases(Contents):
     @remembered
     def single(self, at: int) -> Ways[Phrase]:
         """One noun phrase, not joined to others; "blue over red" counts as one."""
-        found = self._simple(at)
+        found = self.simple(at)
         chains: Ways[Phrase] = []
         for part, end in found:
             if over := self.past_any(end, "over", "on top of", "on"):
@@ -91,7 +84,7 @@ class Phrases(Contents):
         return [*found, *chains]
 
     @remembered
-    def _simple(self, at: int) -> Ways[Phrase]:
+    def simple(self, at: int) -> Ways[Phrase]:
         found: Ways[Phrase] = list(self._labels(at))
         if one := self.past_any(at, "that one", "this one"):
             found.append((Pronoun("that one"), one))
@@ -107,52 +100,6 @@ class Phrases(Contents):
         found += self._whichever(at)
         found += self._that(found)
         return [*found, *self._but(found)]
-
-    def _whichever(self, at: int) -> Iterator[tuple[Phrase, int]]:
-        """ "whichever stack has the blue block in it", "whichever of the two A is not on"."""
-        start = self.past_any(at, "whichever", "whichever one")
-        if not start:
-            return
-        one = Noun(det="the", noun="one")
-        nouns = [(one, start), *self._head(start, Noun(det="the"))]
-        if end := self.past_any(start, *(f"of {them}" for them in ("them", "these", "those", "those two", "the two"))):
-            nouns = [(replace(one, of=Pronoun("them")), end)]
-        for noun, end in nouns:
-            yield from ((replace(noun, that=said), stop) for said, stop in [*self.verbs(end), *self._held(end)])
-
-    def _held(self, at: int) -> Iterator[tuple[tuple[Predicate, ...], int]]:
-        """ "green is not on": what stands behind a thing that something else is at."""
-        for what, end in self.single(at):
-            if start := self.past_any(end, "is", "are", "is not", "are not", "sits", "stands", "lies"):
-                for words, relation in RELATIONS:
-                    if stop := self.past(start, words):
-                        yield (Holding(what, relation, no=self.text(start - 1) == "not"),), stop
-
-    def _that(self, found: Ways[Phrase]) -> Iterator[tuple[Phrase, int]]:
-        """ "the tower that has a pink block at the bottom", "those without any white", "the one on the patch"."""
-        for phrase, end in found:
-            noun = _ONES if isinstance(phrase, Pronoun) and phrase.word == "those" else phrase
-            if not isinstance(noun, Noun) or noun.det not in _CHOSEN or noun.of or noun.content or noun.noun == "table":
-                continue
-            if start := self.past_any(end, "that", "which"):
-                said = [*self.verbs(start), *self._held(start)]
-                yield from ((replace(noun, that=one), stop) for one, stop in said)
-            elif start := self.past_any(end, *_HOLDING):
-                no = self.text(end) == "without"
-                start = self.past_any(start, "any") or start
-                yield from ((replace(noun, that=(Holds(what, no),)), stop) for what, stop in self.single(start))
-                for what, stop in self.single(start):
-                    if not no:
-                        yield from ((replace(noun, that=(Bears(what, where),)), n) for where, n in self.place(stop))
-            else:
-                yield from ((replace(noun, that=(where,)), stop) for where, stop in self.place(end))
-
-    def _but(self, found: Ways[Phrase]) -> Iterator[tuple[Phrase, int]]:
-        """ "every block of it except the middle one"."""
-        for whole, end in found:
-            without = self.past_any(end, "except", "but", "except for", "other than", "save", "besides", ", except")
-            if without and isinstance(whole, Noun) and whole.det in {"all", "each", "the"}:
-                yield from ((replace(whole, but=part), stop) for part, stop in self._simple(without))
 
     def _owned(self, at: int) -> Iterator[tuple[Phrase, int]]:
         """ "its two ends", "the pyramid's top block"."""
@@ -188,65 +135,6 @@ class Phrases(Contents):
         if det not in {"the", "each"}:
             return []
         return [(noun, end) for noun, end in self._head(at + 1, Noun(det=det))]
-
-    def _some_of(self, at: int) -> Iterator[tuple[Phrase, int]]:
-        """ "two of the three red blocks", "each of them", "none of the towers", "both of these"."""
-        ways = list(self._amount(at))
-        if self.text(at) in {"each", "all", "both", "none", "neither", "any", "either"}:
-            det = {"none": "no", "neither": "no", "either": "any"}.get(self.text(at), self.text(at))
-            ways.append((Noun(det=det), at + 1))
-        if self.past_any(at, "all but", "all except") and (left_out := self.number(at + 2)):
-            ways.append((Noun(det="but", count=left_out), at + 3))
-            yield Noun(det="but", count=left_out), at + 3
-        if but := self.past_any(at, "all but", "all except", "each but", "every one but"):
-            yield from self._all_but(but)
-        if self.text(at) == "half":
-            ways.append((Noun(det="half"), at + 1))
-        for some, end in ways:
-            if of := self.past_any(end, "of", "from", "out of"):
-                yield from ((replace(some, of=whole), stop) for whole, stop in (*self._simple(of), *self.series(of)))
-                told = [(all_, stop) for all_, stop in self.phrase(of) if _labelled(all_, "")]
-                yield from ((replace(some, of=whole), stop) for whole, stop in told)
-            elif some.det in {"all", "both"}:
-                yield from ((replace(some, of=whole), stop) for whole, stop in self._noun(end))
-
-    def _all_but(self, at: int) -> Iterator[tuple[Phrase, int]]:
-        """ "(all but) the middle block of the row": each of its blocks but this."""
-        for part, end in self._simple(at):
-            if isinstance(part, Noun) and part.of is not None and (part.ranks or part.nth):
-                yield Noun(det="each", noun="block", of=part.of, but=replace(part, of=None)), end
-
-    def _others(self, at: int) -> Iterator[tuple[Phrase, int]]:
-        """ "the other two", "the rest", "the remaining blocks", "the third one", "the other tower"."""
-        for two in ("", " of the two", " of them", " of these"):
-            if end := self.past_any(at, f"whichever{two} is left", f"whichever{two} is left over"):
-                yield Noun(det="other", count=1), end
-        start = self.past_any(at, "the", "all the")
-        if not start:
-            return
-        if self.text(start) == "rest":
-            yield Noun(det="other", many=True), start + 1
-            return
-        if end := self.past_any(start, "one that is left", "one left", "one that is left over", "one left over"):
-            yield Noun(det="other", count=1), end
-            return
-        other = self.past_any(start, "other", "others", "remaining", "leftover", "two other", "two others")
-        count = 0
-        if self.text(start) == "two" and other:
-            count = 2
-        if not other and self.number(start):
-            other = self.past_any(start + 1, "other", "others", "remaining")
-            count = self.number(start)
-        if not other:
-            return
-        many = self.text(other - 1) == "others"
-        if self.number(other) and self.text(other) != "one":
-            count, other = self.number(other), other + 1
-        blank = Noun(det="other", count=count, many=many or count > 1)
-        yield blank, other
-        for noun, end in self._head(other, blank):
-            yield noun, end
-            yield from ((replace(noun, of=whole), stop) for whole, stop in self._whole(end))
 
     @remembered
     def _noun(self, at: int) -> Ways[Phrase]:
@@ -341,26 +229,6 @@ class Phrases(Contents):
                 yield told, end
                 yield from ((replace(told, of=whole), stop) for whole, stop in self._whole(end))
 
-    def _whole(self, at: int) -> Ways[Phrase]:
-        """ "of the row", "of it": what something is a part of."""
-        end = self.past_any(at, "of", "in", "from")
-        if not end:
-            return []
-        listed = self.phrase(end) if self.text(at) == "of" else []  # "the letters from A to D" may be in this order
-        return [*self._simple(end), *((told, stop) for told, stop in listed if _labelled(told, ""))]
-
-    def _counted_from(self, noun: Noun, at: int) -> Ways[Phrase]:
-        """ "the second block from the left"."""
-        several = noun.ranks in {("first",), ("last",)}
-        if not (noun.nth or several) or not (end := self.past_any(at, "from the", "from")):
-            return []
-        if (rank := RANK.get(self.text(end))) not in {"left", "right", "top", "bottom"}:
-            return []
-        if noun.ranks == ("last",):
-            rank = {"left": "right", "right": "left", "top": "bottom", "bottom": "top"}[rank]
-        counted = replace(noun, ranks=(rank,) if several else (*noun.ranks, rank))
-        return [(counted, end + 1), *((replace(counted, of=w), stop) for w, stop in self._whole(end + 1))]
-
 
 def _headed(parts: tuple[Phrase, ...]) -> tuple[Phrase, ...]:
     """ "The red or the blue block": the noun of the last one is that of all of them. Plurals are read as series."""
@@ -373,10 +241,3 @@ def _headed(parts: tuple[Phrase, ...]) -> tuple[Phrase, ...]:
     if any(part.det not in {last.det, ""} or part.many or part.count for part in bare):
         return parts
     return (*(replace(part, det=last.det, noun=last.noun) for part in bare), last)
-
-
-def _labelled(phrase: Phrase, kind: str) -> bool:
-    """Whether blocks are told by their symbols, which are of a kind where this is said."""
-    labels = [part.label for part in phrase.parts if isinstance(part, Label)] if isinstance(phrase, Both) else []
-    fits = not kind or all(shows(label, kind) for label in labels)
-    return isinstance(phrase, Both) and len(labels) == len(phrase.parts) and fits

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 
+from rpg.language.compose.syntax import Phrase
 from rpg.language.frames.pieces import Unclear
 
 __all__ = [
-    "OPPOSITE", "SIDES", "TOWARD", "Block", "Fact", "Figure", "Impossible", "Patch", "Ref", "Scene", "Unclear",
+    "OPPOSITE", "SIDES", "TOWARD", "Block", "Fact", "Figure", "Impossible", "Patch", "Ref", "Resolve",
+    "Scene", "Unclear",
 ]  # fmt: skip
 
 
@@ -238,3 +240,7 @@ class Scene:
         if not ways or (len(ways) > 1 and looks != looks[::-1]):
             raise Unclear
         figure.blocks, figure.placed, figure.told = figure.blocks[:: ways[0]], {}, True
+
+
+Resolve = Callable[[Scene, Phrase], Ref]
+"""What a phrase stands for."""

@@ -13,7 +13,8 @@ from rpg.language.compose.items import PARTS
 from rpg.language.compose.nouns import resolve
 from rpg.language.compose.one_each import each_of_a_new_one, one_by_one, one_for_each
 from rpg.language.compose.pronouns import landmark
-from rpg.language.compose.relating import at_part, bare, between, in_region, on, place, tops_of
+from rpg.language.compose.relating import at_part, bare, between, in_region, place
+from rpg.language.compose.resting import on, tops_of
 from rpg.language.compose.scene import Fact, Impossible, Ref, Scene, Unclear
 from rpg.language.compose.subjects import check_said, check_subject, one_of_it, there_is, told_of_figures
 from rpg.language.compose.syntax import (

@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rpg.language.compose.facing import SIDED
-from rpg.language.compose.figures import ALL
 from rpg.language.compose.items import FIGURES
 from rpg.language.compose.scene import SIDES, Ref, Scene, Unclear
 from rpg.language.compose.syntax import (
+    ALL,
     Bears,
     Both,
     Chain,

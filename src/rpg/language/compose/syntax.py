@@ -162,6 +162,8 @@ class Among:
     no: bool = False
 
 
+ALL = frozenset({"each", "all", "both"})
+"""What is said of every one of several."""
 TOWER = Noun(det="a", noun="tower")
 STAY = Place("stay")
 """What is said of things that stay where they are."""

@@ -7,7 +7,8 @@ from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import replace
 
-from rpg.language.compose.clauses import Reader, Step, several
+from rpg.language.compose.clauses import Reader, Step
+from rpg.language.compose.commands import several
 from rpg.language.compose.scene import Impossible, Scene, Unclear
 from rpg.language.compose.statements import say
 from rpg.language.compose.syntax import Clause, Made, Noun, Place, is_figure

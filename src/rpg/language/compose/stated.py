@@ -1,0 +1,105 @@
+"""Clauses that tell what is so, or what there is, with a verb or without one."""
+
+from __future__ import annotations
+
+from rpg.language import lexicon
+from rpg.language.compose.becoming import Becoming
+from rpg.language.compose.syntax import Both, Clause, Looks, Made, Noun, Phrase, Predicate
+from rpg.language.compose.verbs import AUX, BUILT
+from rpg.language.compose.words import Ways
+
+_LINED = (
+    "lined up from left to right", "lined up left to right", "in a row from left to right",
+    "in a line from left to right", "from left to right", "left to right",
+)  # fmt: skip
+
+_BEHIND_COMMA = frozenset({"in turn", "side by side", "rising", "any order"})
+
+LINE = Noun(det="a", noun="line")
+
+_FRONTED = (",", "is", "are", "goes", "go", "stands", "stand", "there is", "there are", "there should be", "sits",
+            "lies", ", there is", ", there are", "must be", "should be", "place", "put", ", put", ", place", "i want",
+            "comes", "build", ", build")  # fmt: skip
+
+STOPS = frozenset({".", "!", "?", ",", ";", ":"})
+
+
+class Stated(Becoming):
+    """Reads what is told."""
+
+    def _begin(self, at: int) -> int:
+        """Where the next clause begins."""
+        while self.text(at) in STOPS:
+            at += 1
+        return at
+
+    def _existing(self, at: int) -> list[tuple[Phrase, tuple[Predicate, ...], int]]:
+        """What is told without a verb: "a tower of two on the patch"."""
+        found: list[tuple[Phrase, tuple[Predicate, ...], int]] = []
+        for what, end in self.phrase(at):
+            found.append((what, (), end))
+            found += [(what, said, stop) for said, stop in self._rest(end)]
+        return found
+
+    def _fronted(self, at: int) -> Ways[Clause]:
+        """ "behind it another row", "between both is the digit 0", "beside this stack goes a tower"."""
+        found: Ways[Clause] = []
+        if within := self.past_any(at, "in", "of"):
+            wholes = [way for way in self.phrase(within) if isinstance(way[0], Noun | Both)]
+            found += [(Clause(what, (), "in"), end) for what, end in wholes]
+        for place, end in self.place(at):
+            starts = {self.past_any(end, way) for way in _FRONTED} | {end}
+            for start in starts - {0}:
+                listed = [way for way in self.single(start) if self.text(way[1]) == "," and self.label(way[1] + 1)]
+                found += [
+                    (Clause(what, (place,)), stop) for what, stop in self.single(start) if (what, stop) not in listed
+                ]
+        return found
+
+    def _statement(self, at: int) -> Ways[Clause]:
+        found: Ways[Clause] = []
+        for what, stop in self.phrase(at):
+            if built := self.past_any(stop, *BUILT):
+                found.append((Clause(what, (), "build"), built))
+            for aside, start in ((None, stop), *self._aside(stop), *self.last_at(what, stop)):
+                mood = self._mood(start)
+                found += [(Clause(what, said, mood, aside), end) for said, end in self.verbs(start)]
+        return found
+
+    def _mood(self, at: int) -> str:
+        """Whether a verb says what is so, what is allowed, what has to be, or what is so at the end."""
+        if self.text(at) in {"may", "can"} and self.text(at + 1) != "not":
+            return "may"
+        aux = self.past_any(at, *AUX)
+        if self.past_any(aux or at, "end up", "ends up"):
+            return "end"
+        return "must" if aux or self.text(at) == "not" else "so"
+
+    def _aside(self, at: int) -> Ways[Clause]:
+        """ ", with Q on top,": between a subject and its verb."""
+        found: Ways[Clause] = []
+        if start := self.past_any(at, ", with", "with"):
+            for what, end in self.single(start):
+                for place, stop in self.place(end):
+                    if place.of is None:
+                        found.append((Clause(what, (place,), "must"), stop + (self.text(stop) == ",")))
+        return found
+
+    def _rest(self, at: int) -> Ways[tuple[Predicate, ...]]:
+        """What may be said of a thing that is told of without a verb, or behind a comma."""
+        start = self.past_any(at, ", which") or (
+            at + 1 if self.past_any(at + 1, *_LINED) and self.text(at) == "," else at
+        )
+        looks: Ways[tuple[Predicate, ...]] = [((Looks(how),), end) for how, end in self._ordered(start)]
+        if self.text(at) == ",":
+            looks += [((place,), end) for place, end in self.place(at + 1) if place.relation in _BEHIND_COMMA]
+        if color := lexicon.COLOR.get(self.text(start)):
+            looks.append(((Looks(Noun(color=color)),), start + 1))
+        if end := self.past_any(start, *_LINED):
+            looks.append(((Made(Noun(det="a", noun="row", ranks=("left",))),), end))
+        sorted_so = self.ordered(Noun(det="a", noun="row"), start)
+        looks += [((Made(row),), end) for row, end in sorted_so if self.text(end - 1) == "right"]
+        if end := self.past_any(start, "lined up", ", lined up"):
+            looks.append(((Made(LINE),), end))
+        verbs = self.verbs(start) if start > at or self.text(start).endswith("ing") else []
+        return [*looks, *self.predicates(start), *verbs]

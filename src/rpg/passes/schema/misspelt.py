@@ -16,6 +16,9 @@ _MOST = 6
 """So many ways to mean a text are tried."""
 _MISSPELT = 3
 """A text with more words that mean nothing is none that was typed in a hurry."""
+_COMPARED = frozenset({"more", "less", "fewer", "rather"})
+_NEAR = 4
+"""A comparison stands within so many words ahead of its "than"."""
 _OUT_OF_PLACE = frozenset({"misplaced-word", "incomplete"})
 """Why a text is refused of which a word may be mended wrongly, or be mixed up with another."""
 
@@ -54,5 +57,12 @@ def _mixed_up(tokens: Sequence[Token], span: Span | None) -> Iterator[Mapping[Sp
     """Another word for the one that does not fit, or for one beside it."""
     at = next((n for n, token in enumerate(tokens) if span and token.span[1] > span[0]), None)
     for n in () if at is None else (at, at - 1, at + 1):
-        if 0 <= n < len(tokens) and tokens[n].word in MIXED_UP:
+        if 0 <= n < len(tokens) and tokens[n].word in MIXED_UP and not _compares(tokens, n):
             yield {tokens[n].span: MIXED_UP[tokens[n].word]}
+
+
+def _compares(tokens: Sequence[Token], at: int) -> bool:
+    """Whether a "than" stands behind what it compares: "three more blocks than", "taller than"."""
+    if tokens[at].word != "than":
+        return False
+    return any(t.word in _COMPARED or t.word.endswith("er") for t in tokens[max(0, at - _NEAR) : at])

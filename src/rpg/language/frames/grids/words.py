@@ -251,7 +251,7 @@ JOINTS: list[Pattern] = [
     *patterns("except", None, "except(?: for| that)?", "apart from", "save for"),
     *patterns("lot", None, "(?P<half>half)(?: of (?:them|it|the BLOCK))?(?: (?:BE |in )*)?(?P<color>COLOR)(?: BLOCK)?"),
     *patterns("glue", None, "as (?:the |its )?(?:second|other|first|main) color"),
-    *patterns("some", None, r"(?P<count>NUM)(?: (?:of (?:them|these|which)|ones?))?"),
+    *patterns("some", None, r"(?<!the )(?P<count>NUM)(?: (?:of (?:them|these|which)|ones?))?"),
     *patterns("glue", None, "(?:it|its|they|here|completely|in all|"
         "entirely|all over|fill|fills|cover|covers|tile|occupied by|occupied|occupies|shall|must|be|"
         "upright|standing|lying|have|consists? of|contains?|have got|wanted|needed|required|fully|exclusively|"

@@ -156,6 +156,7 @@ _ON_BLOCKS = re.compile("on(to)? (?!.*letter).*(block|cube|brick)s?$")
 _NOUNS = frozenset({"word", "name", "text", "letters", "letter"})
 _WORDS = frozenset({"word", "name", "text"})
 _LETTERS_ALONE = re.compile("'?[A-Z]'?( ,)?( [A-Z]( ,)?)* [A-Z]")
+_HAS_ONE = re.compile(r"\b(has|have) (a|an|one) .*(block|cube|brick|piece|tile|one)s?$")
 _INITIALS = frozenset("ROYGCBPKWV")
 """First letters of colours."""
 _ON = frozenset({"on", "onto", "on top of", "atop", "above", "over", "below", "under", "behind"})
@@ -196,6 +197,8 @@ def told(pieces: Sequence[Piece]) -> str:
         raise Unclear  # a sentence was taken for talk: "the order does not matter" contradicts a word
     if where and any(piece.kind == "tint" and piece.words.startswith(("with", "using", "use")) for piece in pieces):
         raise Unclear  # "with red blocks on the mat", which are not those of the word
+    if any(piece.kind == "tint" and _HAS_ONE.search(piece.words) for piece in pieces):
+        raise Unclear  # "the first letter has a blue one", which lies on it
     single = [n for n, piece in enumerate(pieces) if piece.kind == "glyphs" and len(piece.value) == 1]
     if any(piece.words in _ON for n in single[:1] for piece in pieces[n : single[-1]]):
         raise Unclear  # "spell GO, the G on the O" tells where they are, and not only which they are

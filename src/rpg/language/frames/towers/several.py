@@ -55,8 +55,6 @@ def told(pieces: Sequence[Piece]) -> str:
         raise Unclear  # "the yellow ones in a tower and the purple ones lined up"
     if any(a.kind == "lot" and _THING.fullmatch(b.words) for a, b in pairwise(pieces)):
         raise Unclear  # "a red stack"
-    if any(a.words in ("use", "using") and b.kind == "each" for a, b in pairwise(pieces)):
-        raise Unclear  # "from five red blocks, and use all of them": these are not the blocks of each
     kinds = [piece.kind for piece in pieces]
     if any(kinds[n : n + 3] == ["lot", "near", "lot"] for n in range(len(kinds))):
         raise Unclear  # "the red one must not touch the blue one"
@@ -98,7 +96,10 @@ def told(pieces: Sequence[Piece]) -> str:
 
 
 def _no_scraps(pieces: Sequence[Piece]) -> None:
-    """Refuse a sentence that says nothing by itself, "On the left.", "Red ones.", and "identical" of no look."""
+    """Refuse a sentence that says nothing by itself, "On the left.", "Red ones.", "identical" of no look, and "use all
+    of them", which are not the blocks of each."""
+    if any(a.words in ("use", "using") and b.kind == "each" for a, b in pairwise(pieces)):
+        raise Unclear
     identical = any(piece.kind == "figure" and "identical" in piece.words for piece in pieces)
     if identical and not {"lot", "tinted", "basis", "whole", "alone"} & {piece.kind for piece in pieces}:
         raise Unclear

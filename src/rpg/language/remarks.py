@@ -243,13 +243,16 @@ def _compared(tokens: list[Token], said: list[str]) -> bool:
 
 _SAYINGS = frozenset({("a", "full", "stop"), ("an", "exclamation", "mark"), ("the", "icing", "on", "the", "cake"),
                       ("the", "cherry", "on", "the", "cake"), ("a", "cherry", "on", "a", "cake"),
-                      ("the", "cherry", "on", "top"), ("a", "cherry", "on", "top")})  # fmt: skip
+                      ("the", "cherry", "on", "top"), ("a", "cherry", "on", "top"),
+                      *(("a", *small, cover) for cover in ("roof", "hat", "lid") for small in ((), ("little",), ("small",))),
+                      ("the", "roof", "of", "a", "house"), ("a", "roof", "on", "a", "house"),
+                      ("around", "a", "painting"), ("around", "a", "picture")})  # fmt: skip
 """Like what something comes at an end or on top, in words that mean something else."""
 _LINED = frozenset({"row", "line", "lined"})
 _LIKING = frozenset({"would", "i", "we", "you", "they", "do", "does", "not", "to", "and", "or"})
 """Behind these "like" is what somebody does."""
 _PLAIN = frozenset({"stack", "stacked", "stacking", "line", "lined", "shape", "shaped", "together", "beside", "between",
-                    "middle", "corner", "around"})  # fmt: skip
+                    "middle", "corner", "around", "top", "resting"})  # fmt: skip
 """With these it is told how blocks lie."""
 
 

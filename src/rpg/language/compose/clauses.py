@@ -33,6 +33,13 @@ _LEADS = (
     "make sure", "see to it that", "make it so that", "need", "at the end", "in the end",
     "i have got", "you have got", "got", "have", "u got", "here is", "here are", "take", "use", "we got",
 )  # fmt: skip
+_SEEN = tuple(
+    f"{seen}{there}"
+    for seen in ("i see", "i can see", "we see", "we can see", "you see", "you can see", "one sees", "the picture shows",
+                 "picture shows", "my picture shows", "this is", "it shows", "i just see")
+    for there in ("", " that there is", " that there are")
+)  # fmt: skip
+"""Behind these stands what a picture shows."""
 _THERE = ("there is", "there are", "you have", "we have", "i have", "here is", "here are")
 _THEN = (
     ", finally", ", and finally", ". finally", "; finally", "and finally", ". lastly", ", then",
@@ -114,13 +121,14 @@ class Reader(Commands):
             found += [(Clause(some, said, "must"), end) for said, end in self.verbs(which)]
         for start in self._leads(at):
             there = start > at and any(self.past(at, lead.split()) == start for lead in _THERE)
+            mood = "there" if there else "seen" if start > at and self.past_any(at, *_SEEN) == start else ""
             found += self._command(start)
             found += self.turned(start)
             found += self._fronted(start)
             if self.text(start) in {"spell", "write"}:
                 found += self._spelled(start + 1)
             found += self._statement(start)
-            found += [(Clause(what, said, "there" if there else ""), end) for what, said, end in self._existing(start)]
+            found += [(Clause(what, said, mood), end) for what, said, end in self._existing(start)]
         found += self._left_alone(at)
         found += self.begun(at)
         found += self._narrowed(at)
@@ -172,7 +180,7 @@ class Reader(Commands):
         """Where the clause itself may begin."""
         starts, new = [at], [at]
         while new:
-            behind = {self.past_any(start, lead, f"{lead} ,") for start in new for lead in _LEADS} - {0}
+            behind = {self.past_any(start, lead, f"{lead} ,") for start in new for lead in (*_LEADS, *_SEEN)} - {0}
             behind = {start for start in behind if self.text(start) not in {"it", "them"}}
             new = sorted(behind - set(starts))
             starts += new

@@ -18,9 +18,10 @@ def check_in_time(way: Sequence[Clause]) -> None:
         raise Unclear
     asks = [n for n, clause in enumerate(way) if clause.mood == "put" or clause.later or _builds_of(clause)]
     last = asks[-1] if asks else 0
+    pictured = _is_pictured(way)
     for n, clause in enumerate(way):
         told = bool(clause.predicates) or isinstance(clause.subject, Chain)
-        if clause.mood == "there":
+        if clause.mood in {"there", "seen"} and not pictured:
             _check_there(clause, told=told, alone=len(way) == 1, ahead=n < last)
         # how things look is so all the time
         looks = bool(clause.predicates) and all(isinstance(said, Looks) for said in clause.predicates)
@@ -34,6 +35,12 @@ def check_in_time(way: Sequence[Clause]) -> None:
     for clause, behind in pairwise(way):
         if behind.mood in {"", "there", "so"}:
             _check_joined(clause, behind)
+
+
+def _is_pictured(way: Sequence[Clause]) -> bool:
+    """ "I see a red block on a blue one. The green block is behind the red one": nothing is asked for but what is so."""
+    moods = {clause.mood for clause in way}
+    return moods <= {"there", "seen", "so"} or ("seen" in moods and moods <= {"there", "seen", "so", "must", ""})
 
 
 def _check_there(clause: Clause, *, told: bool, alone: bool, ahead: bool) -> None:

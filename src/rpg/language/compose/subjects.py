@@ -105,7 +105,7 @@ def check_subject(scene: Scene, clause: Clause, ref: Ref) -> None:
 
 def there_is(scene: Scene, ref: Ref, mood: str) -> None:
     """Blocks that are told of by themselves are those that the rest of the text is about."""
-    if (ref.kind == "patch" and mood == "there") or ref.kind == "mixed":
+    if (ref.kind == "patch" and mood in {"there", "seen"}) or ref.kind == "mixed":
         return
     if mood == "in" and ref.kind == "block" and all(scene.blocks[n].label for n in ref.ids) and not scene.whole:
         scene.whole, scene.taken = list(ref.ids), []

@@ -175,7 +175,8 @@ class Clause:
     """What is said of something; no predicate: there is such a thing, or it is to be built.
 
     `mood`: "put" and "build" are commands, "so" says that it is so, "must" that it has to be, "there" what there is,
-    "start" and "end" what is so then, "may" what is allowed. `aside`: what is told between the subject and its verb.
+    "seen" what a picture shows, "start" and "end" what is so then, "may" what is allowed. `aside`: what is told between
+    the subject and its verb.
     `first`, `later`: "first", "then". `other`: what else may be so instead.
     """
 

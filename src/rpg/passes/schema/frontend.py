@@ -41,6 +41,7 @@ from rpg.language.kinds_counted import with_kinds
 from rpg.language.materials import without_materials
 from rpg.language.mats_chosen import mats_chosen
 from rpg.language.open_colors import with_colors
+from rpg.language.pictured import without_pictures
 from rpg.language.praise import without_praise
 from rpg.language.remarks import without_remarks
 from rpg.language.singled_out import singled_out
@@ -363,8 +364,8 @@ _NOT_KNOWN = frozenset({"unknown-word", "misplaced"})
 _CANNOT_BOTH_BE = frozenset({"contradiction", "support-cycle", "self-reference"})
 """Why a text is refused of which the first part may be so at the start alone."""
 _PLAINER: tuple[Callable[[list[Token]], tuple[list[Token], list[str]]], ...] = (
-    with_lists, with_names, without_names, with_figures, with_color_classes, without_glosses, without_feelings,
-    in_centimetres, with_colors, with_kinds, without_materials, without_praise, as_a_story,
+    without_pictures, with_lists, with_names, without_names, with_figures, with_color_classes, without_glosses,
+    without_feelings, in_centimetres, with_colors, with_kinds, without_materials, without_praise, as_a_story,
     singled_out,
 )  # fmt: skip
 """What is put in plain words before the words are looked up, each with notes of what it meant."""

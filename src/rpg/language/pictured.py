@@ -1,7 +1,8 @@
 """What people say who tell of a picture: "like in my photo", "its a tower", "nothing else is there", "use any blocks",
 "between them there is a gap as wide as a block".
 
-It says that what is asked for looks as the text tells, and that no more is wanted than that, or tells it in other words.
+It says that what is asked for looks as the text tells, and that no more is wanted than that, or tells it in other
+words.
 """
 
 from __future__ import annotations
@@ -46,7 +47,7 @@ _GAP = "with a gap of one block between {of}"
 _IN_OTHER_WORDS: tuple[tuple[str, str], ...] = (
     (rf"{_SO}between (?P<of>{_OF_WHAT})(?: there)?(?: {_IS})?(?: always)?(?: an?| one)? gaps? {_WIDE}", _GAP),
     (rf"{_SO}(?:the |each |every )?gaps? between (?P<of>{_OF_WHAT}) {_IS} {_WIDE}", _GAP),
-    (rf"(?:(?:a|one) )?gaps?(?: between (?P<of>{_OF_WHAT}))(?: (?:that|which) (?:is|are))? as wide as (?:one|a) {_BLOCK}",
+    (rf"(?:(?:a|one) )?gaps? between (?P<of>{_OF_WHAT})(?: (?:that|which) (?:is|are))? as wide as (?:one|a) {_BLOCK}",
      _GAP.removeprefix("with ")),
     ("(?<= )be able to (?=read|see)", ""),
     (r"(?<![^ ])(?P<of>is|are|do|does|should|must)'nt", "{of} not"),

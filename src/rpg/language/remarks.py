@@ -244,7 +244,8 @@ def _compared(tokens: list[Token], said: list[str]) -> bool:
 _SAYINGS = frozenset({("a", "full", "stop"), ("an", "exclamation", "mark"), ("the", "icing", "on", "the", "cake"),
                       ("the", "cherry", "on", "the", "cake"), ("a", "cherry", "on", "a", "cake"),
                       ("the", "cherry", "on", "top"), ("a", "cherry", "on", "top"),
-                      *(("a", *small, cover) for cover in ("roof", "hat", "lid") for small in ((), ("little",), ("small",))),
+                      *(("a", *small, cover) for small in ((), ("little",), ("small",))
+                        for cover in ("roof", "hat", "lid")),
                       ("the", "roof", "of", "a", "house"), ("a", "roof", "on", "a", "house"),
                       ("around", "a", "painting"), ("around", "a", "picture")})  # fmt: skip
 """Like what something comes at an end or on top, in words that mean something else."""

@@ -35,8 +35,8 @@ _LEADS = (
 )  # fmt: skip
 _SEEN = tuple(
     f"{seen}{there}"
-    for seen in ("i see", "i can see", "we see", "we can see", "you see", "you can see", "one sees", "the picture shows",
-                 "picture shows", "my picture shows", "this is", "it shows", "i just see")
+    for seen in ("i see", "i can see", "we see", "we can see", "you see", "you can see", "one sees", "picture shows",
+                 "the picture shows", "my picture shows", "this is", "it shows", "i just see")
     for there in ("", " that there is", " that there are")
 )  # fmt: skip
 """Behind these stands what a picture shows."""

@@ -38,7 +38,7 @@ def check_in_time(way: Sequence[Clause]) -> None:
 
 
 def _is_pictured(way: Sequence[Clause]) -> bool:
-    """ "I see a red block on a blue one. The green block is behind the red one": nothing is asked for but what is so."""
+    """ "I see a red block on a blue one. The green one is behind the red one": nothing is asked for but what is so."""
     moods = {clause.mood for clause in way}
     return moods <= {"there", "seen", "so"} or ("seen" in moods and moods <= {"there", "seen", "so", "must", ""})
 

@@ -7,9 +7,12 @@ from collections.abc import Iterator
 from itertools import product
 from random import Random
 
+import pytest
+
 from tests.corpus.entries import entry
 from tests.corpus.judge import judge
 from tests.corpus.run import read
+from tests.language.meaning import assert_means
 
 SAMPLE = 60
 """Sentences, drawn from all there are."""
@@ -73,3 +76,15 @@ def test_just_those_ends() -> None:
         assert found.outcome in ("right", "refused"), f"{said}: {found.why}"
         outcomes.append(found.outcome)
     assert outcomes.count("right") >= READ * SAMPLE
+
+
+@pytest.mark.parametrize("rest", ["the rest", "the others", "the other two"])
+def test_what_is_left_of_a_tower_still_stands_where_it_is_spoken_of_so(rest: str) -> None:
+    assert_means(
+        f"There is a tower of pink on cyan on black. Take the top block off and put it to the left of {rest}.",
+        {
+            "assets": {"pink": 1, "cyan": 1, "black": 1},
+            "hold": ["pink black^cyan"],
+            "miss": ["pink cyan^black", "black^cyan pink", "black^cyan^pink"],
+        },
+    )

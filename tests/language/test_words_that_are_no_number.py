@@ -1,5 +1,5 @@
-"""Words beside a figure that are no part of it: "the one" is no number, "all of them" are not the blocks of each, what a
-letter has lies on it, and "than" compares."""
+"""Words beside a figure that are no part of it: "the one" is no number, "all of them" are not the blocks of each, what
+a letter has lies on it, and "than" compares."""
 
 from __future__ import annotations
 

@@ -54,8 +54,9 @@ def _landmarks(goal: g.Goal, scene: Scene) -> Iterator[g.Goal]:
         placed = _placed(goal, feet="under" in there)
         if there and blocks.isdisjoint(placed):
             yield _covered(start, True) if isinstance(start, s.Stack) else start
-        elif there and isinstance(start, s.Stack) and (rest := _below(start, placed)) is not None:
-            yield rest
+        elif isinstance(start, s.Stack) and (rest := _below(start, placed)) is not None:
+            if there or any({*m.ref.names} == {*rest.blocks} and m.word.startswith(_REST) for m in said):
+                yield rest
 
 
 def _below(tower: s.Stack, placed: set[str]) -> s.Stack | None:
@@ -81,6 +82,8 @@ def _moved(goal: g.Goal, scene: Scene) -> Iterator[g.Goal]:
             yield _covered(start, True) if isinstance(start, s.Stack) else start
 
 
+_REST = ("the rest", "the other", "the remaining")
+"""How what is left of a tower is spoken of."""
 _OF_A_WHOLE = r.InRegion | r.Shifted | r.Ranged
 """What may be said of a structure and leaves it as it is."""
 RELATIONS = frozenset(

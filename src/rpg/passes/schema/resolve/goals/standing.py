@@ -54,9 +54,12 @@ def _landmarks(goal: g.Goal, scene: Scene) -> Iterator[g.Goal]:
         placed = _placed(goal, feet="under" in there)
         if there and blocks.isdisjoint(placed):
             yield _covered(start, True) if isinstance(start, s.Stack) else start
-        elif isinstance(start, s.Stack) and (rest := _below(start, placed)) is not None:
-            if there or any({*m.ref.names} == {*rest.blocks} and m.word.startswith(_REST) for m in said):
-                yield rest
+        elif (
+            isinstance(start, s.Stack)
+            and (rest := _below(start, placed)) is not None
+            and (there or any({*m.ref.names} == {*rest.blocks} and m.word.startswith(_REST) for m in said))
+        ):
+            yield rest
 
 
 def _below(tower: s.Stack, placed: set[str]) -> s.Stack | None:

@@ -54,6 +54,14 @@ _SEPARATORS = (
     "; and", ", leaving", ",", ";", ".", "!", "?", ":", "and", "but", "while", "plus", "with", "whereas", "so that",
 )  # fmt: skip
 
+_NOTHING_ON = tuple(
+    f"{nothing}{is_} {on}"
+    for nothing in ("nothing", "none", "no block")
+    for is_ in ("", *(f" {verb}" for verb in ("is", "lies", "stands", "sits", "rests", "must be", "should be", "may be",
+                                              "may lie", "can be", "shall be", "is to be", "is allowed", "goes")))
+    for on in ("on", "on top of")
+)  # fmt: skip
+_BARE = frozenset({"empty", "free"})
 _ONE_OF_THEM = ("one of them", "one of which", "one of these", "one")
 _TO_BE = ("must be", "has to be", "needs to be", "should be", "shall be", "is to be", "is", "being")
 _NOT_TO_BE = ("is not", "is not to be", "must not be", "should not be", "shall not be", "may not be", "can not be")
@@ -136,7 +144,8 @@ class Reader(Commands):
             for one, end in self.clause(either):
                 if one.predicates and one.other is None and (start := self.past_any(end, "or", ", or")):
                     found += [(replace(one, other=other), stop) for other, stop in self.clause(start) if says(other)]
-        if end := self.past_any(at, "nothing on", "none on", "nothing on top of", "nothing is on", "nothing may be on"):
+        found += self._all_of_it(at)
+        if end := self.past_any(at, *_NOTHING_ON):
             found += [(Clause(what, (Bears(None),)), stop) for what, stop in self.phrase(end)]
         late = [(said, start) for said, end in found if (start := self.past_any(end, *_START)) and said.predicates]
         found += [(replace(said, mood="start"), end) for said, end in late]
@@ -165,12 +174,25 @@ class Reader(Commands):
         if start := self.past_any(at, "leave", "keep", "leaving", "keeping"):
             ends = [(what, self.past_any(stop, *STAYS, "alone")) for what, stop in self.phrase(start)]
             found += [(Clause(what, (STAY,), "put"), end) for what, end in ends if end]
+            if self.text(at) in {"leave", "leaving"}:
+                bare = [(what, way) for what, stop in self.phrase(start) for way in self.place(stop)]
+                found += [(Clause(what, (how,), "put"), end) for what, (how, end) in bare if how.relation in _BARE]
         if start := self.past_any(
             at, "do not move", "do not touch", "never move", "without moving", "without touching"
         ):
             some = [way for way in self.phrase(start) if not isinstance(way[0], Noun) or way[0].det != "a"]
             found += [(Clause(what, (STAY,), "put"), end) for what, end in some]  # "a" may be any of them
         return found
+
+    def _all_of_it(self, at: int) -> Ways[Clause]:
+        """ "(white between red and blue,) all on the table": all that was told of, in which they are no others."""
+        many = self.past_any(at, "all", "both", "all of them", "both of them")
+        if not many:
+            return []
+        count = 2 if self.text(at) == "both" else self.number(many)
+        start = self.past_any(many + 1, "of them") or many + 1 if self.number(many) else many
+        them = Noun(det="all", count=count, of=Pronoun("all blocks"))
+        return [(Clause(them, (place,), "must"), end) for place, end in self.place(start)]
 
     def led(self, at: int) -> bool:
         """Whether a clause that begins there has words ahead of it such as "at the end"."""

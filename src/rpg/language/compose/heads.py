@@ -12,13 +12,19 @@ from rpg.language.compose.syntax import Label, Noun, Phrase
 
 TOLD_BY = frozenset({"block", *SYMBOL})
 """What stands ahead of a symbol: "the cube Q", "the letters A and B"."""
-NAMED = ("labelled", "labeled", "numbered", "marked", "lettered", "bearing the number", "with the letter")
+NAMED = (
+    "labelled", "labeled", "numbered", "marked", "lettered",
+    *(f"{with_} {a}{kind}".strip()
+      for with_ in ("with", "bearing", "showing", "that has", "which has", "that shows", "which shows", "that bears")
+      for a in ("the ", "a ", "an ")
+      for kind in ("letter", "number", "digit", "")),
+)  # fmt: skip
 BOUNDS = [
     (words.split(), bound, more)
     for ways, bound, more in (
         ("exactly|one and only", "exactly", 0), ("at least|no fewer than|not fewer than|no less than", "least", 0),
         ("at most|no more than|not more than", "most", 0), ("more than", "least", 1), ("fewer than", "most", -1),
-        ("only|just", "exactly", 0),
+        ("only|just", "exactly", 0), ("about|roughly|around|approximately", "about", 0),
     )
     for words in ways.split("|")
 ]  # fmt: skip
@@ -45,7 +51,7 @@ RELATIONS = sorted(
 )
 
 
-_ALONE = frozenset({"tall", "short", "former", "latter", "last"})
+_ALONE = frozenset({"tall", "short", "big", "small", "former", "latter", "last"})
 _OF_TWO = ("of the two", "of these two", "of those two")
 _UTMOST = frozenset({"leftmost", "rightmost", "topmost", "highest", "lowest"})
 """What stands for a block without a noun."""
@@ -64,7 +70,8 @@ class Heads(Measures):
         if said and (color or self.items[start].many):
             return  # "the green cube 3" may be counted; several are told by `phrase`
         if label := self.label(named):
-            yield Label(label, color), named + 1
+            on_it = self.past_any(named + 1, "on it", "on top") if named > start + said + 1 else 0
+            yield Label(label, color), on_it or named + 1
             if not said and self.text(named + 1) == "block" and not self.items[named + 1].many:
                 yield Label(label, color), named + 2
 
@@ -80,7 +87,7 @@ class Heads(Measures):
     def _amount(self, at: int) -> Iterator[tuple[Noun, int]]:
         """ "exactly two", "at least one", "three", "half"."""
         for words, bound, more in BOUNDS:
-            if (end := self.past(at, words)) and self.number(end):
+            if bound != "about" and (end := self.past(at, words)) and self.number(end):
                 yield Noun(bound=bound, count=self.number(end) + more), end + 1
         if self.number(at):
             yield Noun(count=self.number(at)), at + 1
@@ -108,6 +115,8 @@ class Heads(Measures):
             nth = lexicon.ORDINAL[text]
             yield replace(noun, nth=nth, noun="one"), at + 1
             yield from self._head(at + 1, replace(noun, nth=nth))
+        if spaced := self.past_any(at, "evenly spaced", "equally spaced"):
+            yield from self._head(spaced, replace(noun, gaps=", evenly spaced"))
         if text in {"plain", "such", "more"}:
             yield from self._head(at + 1, noun)
         for with_size, end in self.sized(noun, at):

@@ -37,9 +37,9 @@ RANK = {
     "top": "top", "topmost": "top", "upper": "top", "highest": "top", "bottom": "bottom", "lower": "bottom",
     "lowest": "bottom", "middle": "middle", "central": "middle", "center": "middle", "centre": "middle",
     "inner": "middle", "outer": "outer", "tall": "tall", "taller": "tall", "tallest": "tall", "higher": "tall",
-    "big": "tall", "bigger": "tall", "biggest": "tall", "large": "tall", "larger": "tall", "largest": "tall",
+    "big": "big", "bigger": "big", "biggest": "big", "large": "big", "larger": "big", "largest": "big",
     "long": "tall", "longer": "tall", "longest": "tall", "short": "short", "shorter": "short", "shortest": "short",
-    "small": "short", "smaller": "short", "smallest": "short", "little": "short", "last": "last",
+    "small": "small", "smaller": "small", "smallest": "small", "little": "small", "last": "last",
     "corner": "corner", "end": "end", "former": "former", "latter": "latter", "hollow": "hollow",
     "filled": "full", "full": "full",
 }  # fmt: skip

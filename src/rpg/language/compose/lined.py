@@ -30,7 +30,9 @@ def stand_in(scene: Scene, ref: Ref, shape: Noun) -> None:
     """They stand in a row, a column or a grid. Which one is where is left open, unless told from the left."""
     lowest = feet(scene, ref)
     many = len(lowest)
-    if many < 2 or shape.order or (shape.way and shape.noun != "column") or shape.word or shape.nth or ref.bound:
+    if many < 2 or shape.order or shape.gaps:
+        raise Unclear
+    if (shape.way and shape.noun != "column") or shape.word or shape.nth or ref.bound:
         raise Unclear
     if shape.noun in {"row", "line"} and shape.ranks in {(), ("left",)} and shape.size in {(), (many,)}:
         if ref.kind == "figure":

@@ -25,7 +25,7 @@ def make(scene: Scene, noun: Noun, kind: str, resolve: Resolve) -> int:
         if content.bound not in {"", "exactly"} or prod(size or (content.count,)) != content.count:
             raise Unclear
         size, content = size or (content.count,), None
-    figure = Figure(kind, [], size if len(size) > 1 else (), noun.word, way=noun.way)
+    figure = Figure(kind, [], size if len(size) > 1 else (), noun.word, way=noun.way, gaps=noun.gaps)
     if noun.word == "pair" and (not isinstance(content, Chain) or len(content.parts) != 2):
         raise Unclear  # of what stands side by side, or of what lies on what
     figure.counted = isinstance(content, Noun) and content.count > 0

@@ -24,6 +24,15 @@ _ALTERNATING = (
     "alternating", "with alternating", "in alternating", "alternating between", "that alternate between", "alternately",
     "that alternate", "which alternate between", "of alternating",
 )  # fmt: skip
+_SPACED = frozenset({"row", "line", "column"})
+_EVENLY = ("evenly spaced", "spaced evenly", "with even spacing", "equally spaced", "with equal gaps",
+           "with equal spacing")  # fmt: skip
+_BETWEEN_THEM = tuple(
+    f"{between}{the}{them}"
+    for between in ("between ", "in between ")
+    for the in ("", "the ", "all ", "any two ")
+    for them in ("them", "block", "neighbor", "neighbors", "neighboring block", "letter", "digit", "each other")
+)
 _UPWARD = frozenset({"from the bottom up", "from bottom to top", "from bottom up", "bottom to top"})
 _RUNNING = tuple(f"{run} {way}" for run in ("running", "going", "that runs", "which runs", "extending")
                  for way in ("from front to back", "front to back", "from back to front"))  # fmt: skip
@@ -144,8 +153,28 @@ class Measures(Text):
                 up, right = self.past_any(end, *_UPWARD), self.past_any(end, "from left to right", "left to right")
                 yield order, "top" if up else "right" if right else "", up or right or end
 
+    def _spaced(self, noun: Noun, at: int) -> Iterator[tuple[Noun, int]]:
+        """ "with 3 cm gaps", "with gaps of 3 cm between them", "5 cm apart", "evenly spaced"."""
+        if noun.gaps or noun.noun not in _SPACED:
+            return
+        start = at + (self.text(at) == ",")
+        if end := self.past_any(start, *_EVENLY):
+            yield replace(noun, gaps=", evenly spaced"), end
+        with_ = self.past_any(start, "with", "with a", "with a gap of", "with gaps of", "with a space of", "leaving",
+                              "and gaps of", "leaving gaps of", "leaving a gap of", "with spaces of")  # fmt: skip
+        told = with_ or start
+        if not self.number(told) or self.text(told + 1) not in {"cm", "centimeters", "centimetres"}:
+            return
+        end, gap = told + 2, f"{self.number(told)} cm"
+        if apart := self.past_any(end, "apart", "apart from each other") if not with_ else 0:
+            yield replace(noun, gaps=f" {gap} apart"), apart
+        elif with_ and (self.text(with_ - 1) == "of" or self.text(end) in {"gap", "gaps", "space", "spaces"}):
+            end += self.text(with_ - 1) != "of"
+            yield replace(noun, gaps=f" with gaps of {gap}"), self.past_any(end, *_BETWEEN_THEM) or end
+
     def ordered(self, noun: Noun, at: int) -> Iterator[tuple[Noun, int]]:
         """ "in alphabetical order", "ascending from left to right", "rising to the right", "open to the left"."""
+        yield from self._spaced(noun, at)
         yield from self._alternating(noun, at)
         start = at + (self.text(at) == ",")
         if noun.noun == "column" and (end := self.past_any(start, "going away from me", "away from me")):

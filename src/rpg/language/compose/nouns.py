@@ -14,6 +14,7 @@ from rpg.language.compose.others import others, take
 from rpg.language.compose.parts import has_first, part, within
 from rpg.language.compose.pronouns import pronoun
 from rpg.language.compose.scene import TOWARD, Patch, Ref, Scene, Unclear
+from rpg.language.compose.sized import is_of_blocks, of_heights, sized
 from rpg.language.compose.syntax import ALL, Both, Chain, Label, Listing, Noun, Phrase, Pronoun
 
 _HIGH = {"top": "tall", "bottom": "short"}
@@ -97,6 +98,10 @@ def _one_of(scene: Scene, phrase: Both) -> Ref:
 
 
 def _noun(scene: Scene, noun: Noun) -> Ref:
+    if {"big", "small"} & set(noun.ranks):
+        if is_of_blocks(scene, noun):
+            return sized(scene, noun)
+        noun = of_heights(noun)
     if noun.that:
         return chosen(scene, noun, resolve)
     if noun.noun not in FIGURES | {"one", "sign"} and (noun.content is not None or noun.size or noun.word):
@@ -224,7 +229,7 @@ def _some_of(scene: Scene, noun: Noun) -> Ref:
     if noun.of == Pronoun("them") and set(ids) < set(scene.whole):
         raise Unclear  # of these, or of those that they are some of
     if noun.det in ALL:
-        if noun.det == "both" and len(ids) != 2:
+        if (2 if noun.det == "both" else noun.count or len(ids)) != len(ids):
             raise Unclear
         return Ref(whole.kind, ids, each=noun.det == "each", every=True)
     if noun.det == "no":
@@ -260,9 +265,10 @@ def _some_of(scene: Scene, noun: Noun) -> Ref:
 def _some_figures(scene: Scene, ids: list[int], count: int, bound: str) -> Ref:
     """So many of figures that look alike, and of which nothing was said yet."""
     figures = [scene.figures[n] for n in ids]
-    looks = {(f.kind, f.size, tuple(scene.blocks[n].look[:2] for n in f.blocks)) for f in figures}
+    looks = [(block.color, block.label, block.size) for block in scene.blocks]
+    kinds = {(f.kind, f.size, tuple(looks[n] for n in f.blocks)) for f in figures}
     blocks = scene.told_of("block")
-    if len(looks) > 1 or scene.told_of("figure") & set(ids) or any(blocks & set(figure.blocks) for figure in figures):
+    if len(kinds) > 1 or scene.told_of("figure") & set(ids) or any(blocks & set(figure.blocks) for figure in figures):
         raise Unclear
     return Ref("figure", ids[:count], ids[count:], bound=bound)
 

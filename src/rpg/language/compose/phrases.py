@@ -233,7 +233,7 @@ class Phrases(Relatives):
 def _headed(parts: tuple[Phrase, ...]) -> tuple[Phrase, ...]:
     """ "The red or the blue block": the noun of the last one is that of all of them. Plurals are read as series."""
     last = parts[-1]
-    if not isinstance(last, Noun) or last.noun not in {"block", "patch"} or last.det not in {"the", "a"}:
+    if not isinstance(last, Noun) or last.noun not in {"block", "patch", "one"} or last.det not in {"the", "a"}:
         return parts
     bare = [part for part in parts[:-1] if isinstance(part, Noun) and part.color and not part.noun]
     if last.many or last.count or not last.color or len(bare) < len(parts) - 1:

@@ -128,11 +128,12 @@ class Places(Phrases):
             yield Place("region", how=f"in the {ranks[0]} half"), end or start + 1
         elif part == "edge" and len(ranks) == 1 and end:
             yield Place("region", how=f"at the {ranks[0]} edge"), end
-        elif part == "corner" and len(ranks) == 2 and end:
+        elif part == "corner" and len(ranks) == 2:
             deep = [rank for rank in ranks if rank in {"near", "far"}]
             wide = [rank for rank in ranks if rank in {"left", "right"}]
             if deep and wide:
-                yield Place("region", how=f"in the {deep[0]} {wide[0]} corner"), end
+                corner = f"in the {deep[0]} {wide[0]} corner"
+                yield Place("region", how=corner, side="" if end else "bare"), end or start + 1
 
     def _how(self, at: int) -> Iterator[tuple[Place, int]]:
         """ "directly", "somewhere", "at least 10 cm", and nothing."""

@@ -17,6 +17,11 @@ def pronoun(scene: Scene, word: str) -> Ref:
         return scene.here[0]
     if word == "which":
         return _last(scene)
+    if word == "all blocks":
+        told = scene.told_of("block") | {n for figure in scene.figures for n in figure.blocks}
+        if len(told) < len(scene.blocks) or len(told) < 2:
+            raise Unclear  # all that there are, or those that were told of
+        return Ref("block", sorted(told))
     if word == "neither":
         if len(scene.patches) != 2:
             raise Unclear

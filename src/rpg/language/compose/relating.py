@@ -16,6 +16,8 @@ from rpg.language.compose.syntax import Both, Noun, Phrase, Place
 
 _RELATIONS = {"next": "next to", "near": "near", "far": "far from", "touch": "touch"}
 _HOW = {"top": "", "directly": "directly ", "immediately": "immediately ", "somewhere": "somewhere ", "": ""}
+_BOUND = {"least": "at least ", "most": "at most ", "about": "about "}
+_NO_CORNERS = frozenset({"tower", "row", "line", "column", "word", "equation", "group", "circle"})
 _BARE_PLACES = frozenset({"top", "bottom", "middle", "left", "right", "front", "behind"})
 
 
@@ -42,8 +44,7 @@ def bare(scene: Scene, ref: Ref, said: Place) -> None:
         if said.cm and ref.kind == "figure" and any(scene.figures[n].kind != "tower" for n in ref.ids):
             raise Unclear  # from which to which of their blocks?
         if said.cm:
-            bound = {"least": "at least ", "most": "at most "}.get(said.bound, "")
-            word = f"{bound}{said.cm:g} cm from"
+            word = f"{_BOUND.get(said.bound, '')}{said.cm:g} cm from"
         scene.facts += [
             Fact(Ref(ref.kind, [a]), word, Ref(ref.kind, [b]), no=said.no) for a, b in combinations(ref.ids, 2)
         ]
@@ -76,8 +77,10 @@ def _in_any_order(scene: Scene, ref: Ref) -> None:
 
 
 def in_region(scene: Scene, ref: Ref, said: Place) -> None:
-    if ref.kind not in {"block", "figure"} or said.no or ref.bound or ref.rest:
+    if ref.kind not in {"block", "figure"} or said.no or ref.bound not in {"", "least"} or ref.rest:
         raise Unclear
+    if said.side == "bare" and any(figure.kind not in _NO_CORNERS for figure in scene.figures):
+        raise Unclear  # "in the far left corner" may be one of the grid
     for ids in (scene.figures[n].blocks for n in ref.ids) if ref.kind == "figure" else (ref.ids,):
         scene.facts.append(Fact(Ref("block", ids), f"{said.how} of the table"))
 
@@ -260,8 +263,7 @@ def _facts_beside(a: Ref, b: Ref, said: Place) -> list[Fact]:
     if said.how not in _HOW:
         raise Unclear
     how = _HOW[said.how]
-    bound = {"": "", "least": "at least ", "most": "at most ", "exactly": ""}[said.bound]
-    far = [Fact(a, f"{bound}{said.cm:g} cm from", b, no=said.no)] if said.cm else []
+    far = [Fact(a, f"{_BOUND.get(said.bound, '')}{said.cm:g} cm from", b, no=said.no)] if said.cm else []
     if said.relation in SIDES:
         if said.no and (said.cm or said.how):
             raise Unclear

@@ -26,15 +26,17 @@ class Impossible(Unclear):
 
 @dataclass(slots=True)
 class Block:
-    """A block. No colour and no label: nothing is said of how it looks; those of one `lot` look alike then."""
+    """A block. No colour and no label: nothing is said of how it looks; those of one `lot` look alike then. `size`:
+    "big" or "small", if it is told."""
 
     color: str = ""
     label: str = ""
     lot: int = 0
+    size: str = ""
 
     @property
-    def look(self) -> tuple[str, str, int]:
-        return (self.color, self.label, 0 if self.color or self.label else self.lot)
+    def look(self) -> tuple[str, str, int, str]:
+        return (self.color, self.label, 0 if self.color or self.label else self.lot, self.size)
 
 
 @dataclass(slots=True)
@@ -51,9 +53,9 @@ class Figure:
     that are `placed`, and for what is `barred` from places. `implied`: it is told by what lies on what.
     `stage`: when it is formed, -1 at the start; `way`: where it rises or points; `alternates`: its blocks are of two
     colours in turn, as they are listed or the other way round; `in_order`: they are sorted by their symbols; `counted`:
-    of how many of a colour it is was said. Places of a tower are counted from the bottom, those of a row from
-    the left, of a letter and a staircase as they are drawn, of anything else row by row from the far left, or from the
-    top left of what stands upright.
+    of how many of a colour it is was said; `gaps`: how far apart those of a line are. Places of a tower are counted
+    from the bottom, those of a row from the left, of a letter and a staircase as they are drawn, of anything else row
+    by row from the far left, or from the top left of what stands upright.
     """
 
     kind: str
@@ -71,6 +73,7 @@ class Figure:
     alternates: bool = False
     in_order: bool = False
     counted: bool = False
+    gaps: str = ""
 
 
 @dataclass(slots=True)
@@ -155,11 +158,11 @@ class Scene:
         self.choices.append(ways)
         return self.script[len(self.choices) - 1] if len(self.choices) <= len(self.script) else 0
 
-    def new_blocks(self, count: int, color: str = "", label: str = "") -> list[int]:
+    def new_blocks(self, count: int, color: str = "", label: str = "", size: str = "") -> list[int]:
         """So many further blocks that look alike."""
         self.lots += 1
         first = len(self.blocks)
-        self.blocks += [Block(color, label, self.lots) for _ in range(count)]
+        self.blocks += [Block(color, label, self.lots, size) for _ in range(count)]
         return list(range(first, first + count))
 
     def alike(self, ids: list[int]) -> bool:

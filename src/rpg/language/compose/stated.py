@@ -71,6 +71,7 @@ class Stated(Becoming):
         if self.text(at) in {"may", "can"} and self.text(at + 1) != "not":
             return "may"
         aux = self.past_any(at, *AUX)
+        aux = 0 if self.text(aux) in {"the", "its"} else aux  # "is to the left", which may be so now
         if self.past_any(aux or at, "end up", "ends up"):
             return "end"
         return "must" if aux or self.text(at) == "not" else "so"

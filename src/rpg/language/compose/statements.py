@@ -41,6 +41,7 @@ from rpg.language.compose.syntax import (
     on_an_end,
 )
 
+_ITSELF = (Pronoun("it"), Pronoun("them"))
 _THE_BLOCK, _THE_ONE = Noun(det="the", noun="block"), Noun(det="the", noun="one")
 
 
@@ -329,7 +330,9 @@ def _bears(scene: Scene, ref: Ref, said: Bears) -> None:
         for n in tops_of(scene, ref):
             scene.facts.append(Fact(Ref("block", [n]), "clear"))
         return
-    if said.place is not None and said.place.relation != "top":
+    where = said.place
+    on_each = where is not None and where.relation == "on" and where.of in _ITSELF and ref.kind == "block"
+    if said.place is not None and said.place.relation != "top" and not on_each:
         if said.place.of is None:
             raise Unclear
         own = said.place.of in {Pronoun("it"), Pronoun("them")}  # it has something beside itself

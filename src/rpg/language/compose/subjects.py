@@ -120,7 +120,7 @@ def there_is(scene: Scene, ref: Ref, mood: str) -> None:
             if m not in ref.ids
         ):
             raise Unclear  # these, or further ones
-        lots: dict[tuple[str, str, int], list[int]] = {}
+        lots: dict[tuple[str, str, int, str], list[int]] = {}
         for n in ref.ids:
             lots.setdefault(scene.blocks[n].look, []).append(n)
         for lot in lots.values():

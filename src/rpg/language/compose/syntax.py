@@ -18,7 +18,8 @@ class Noun:
     "least" or "most", of `count`. `noun`: "block", "patch", "table", a figure, a part, or "" where it is left out.
     `of`: the whole that it is a part of, or those that it is some of. `content`: what it is made of, told with the word
     `made`. `but`: those that are left out. `that`: what is so of those that are meant, and of no others. `order`:
-    "alphabetical", "ascending", "descending" or "any"; `way`: where a figure rises or points.
+    "alphabetical", "ascending", "descending" or "any"; `way`: where a figure rises or points; `gaps`: how far apart the
+    blocks of a line are told to be.
     """
 
     det: str = ""
@@ -38,6 +39,7 @@ class Noun:
     that: tuple[Predicate, ...] = ()
     order: str = ""
     way: str = ""
+    gaps: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -110,9 +110,7 @@ def _check_told_of(scenes: Sequence[Scene]) -> None:
 
 
 def _look(block: Block) -> str:
-    if block.label:
-        return f"{block.color} {block.label}".strip() if block.color else block.label
-    return block.color
+    return " ".join(filter(None, (block.size, block.color, block.label)))
 
 
 def _assets(scene: Scene, told: set[int]) -> str:
@@ -137,7 +135,7 @@ def _name(scene: Scene, n: int) -> str:
     if len(same) == 1:
         return f"the {_look(block)} block"
     nth = same.index(n) + 1
-    return f"{block.label} block number {nth}" if block.label else f"{block.color} block {nth}"
+    return f"{block.label} block number {nth}" if block.label else f"{_look(block)} block {nth}"
 
 
 def _names(scene: Scene, ids: list[int]) -> str:
@@ -221,9 +219,10 @@ def _figure(scene: Scene, figure: Figure) -> str:
     if figure.kind in {"row", "line"}:
         side = f" from left to right{order}" if figure.sided else f"{order} in either direction"
         turns = " in alternating colors" if figure.alternates and not figure.told else ""
-        return _sentence(f"{names} must be in a {figure.kind}{turns}{order and side}")
+        return _sentence(f"{names} must be in a {figure.kind}{turns}{order and side}{figure.gaps}")
     if figure.kind == "column":
-        return _sentence(f"{names} must be in a column on the table{order and f' from front to back{order}'}")
+        deep = order and f" from front to back{order}"
+        return _sentence(f"{names} must be in a column on the table{deep}{figure.gaps}")
     if figure.kind in {"word", "equation"}:
         row = f"be in a row from left to right {listed} and " if figure.sided else ""
         shown = f"spell the word {figure.word}" if figure.kind == "word" else f"show the equation {figure.word}"
@@ -324,7 +323,7 @@ _ENDS = {
 def _in_part(scene: Scene, figure: Figure) -> str:
     """A figure of which it is said at some places alone what is there."""
     names, many = _names(scene, figure.blocks), len(figure.blocks)
-    if figure.kind not in _ENDS:
+    if figure.kind not in _ENDS or figure.gaps:
         raise Unclear
     form = _tower(scene, figure, many) if figure.kind == "tower" else f"be in a {figure.kind}"
     form += " on the table" if figure.kind == "column" else ""

@@ -34,8 +34,9 @@ _BE = (
     "sitting", "lying", "resting", "being", "lands", "land", "ends", "end",
 )  # fmt: skip
 _DONE = frozenset({
-    "placed", "put", "located", "positioned", "set", "laid", "stood", "left", "found", "moved", "kept",
-    "sitting", "standing", "lying", "resting", "seated", "situated", "brought",
+    "placed", "put", "located", "positioned", "set", "laid", "stood", "left", "found", "moved", "kept", "sitting",
+    "standing", "lying", "resting", "seated", "situated", "brought", "touched", "displaced", "written", "spelled",
+    "spelt", "built", "erected", "shown", "displayed",
 })  # fmt: skip
 _FORM = ("form", "forms", "make", "makes", "become", "becomes", "make up", "makes up", "build", "constitute",
          "are arranged in", "are arranged as", "is arranged in", "are arranged into", "be arranged in",
@@ -49,6 +50,7 @@ BUILT = tuple(
     for must, be in (("are to", "be"), ("is to", "be"), ("must", "be"), ("should", "be"), ("shall", "be"))
     for done in ("built", "made", "formed", "constructed", "assembled", "set up")
 )
+_MOVED = frozenset({"moved", "touched", "displaced"})
 _NOT_BOTH = tuple(f"{but} not both{of}" for but in ("but", ", but") for of in ("", " of them"))
 _OTHER = tuple(f"{also} {other}" for also in ("and", ", and", ",") for other in ("one", "the other", "the other one"))
 _INTO = ("in", "into", "as", "to form", "to make", "in the shape of", "out as")
@@ -130,7 +132,8 @@ class Verbs(Places):
     def verbs(self, at: int) -> Ways[tuple[Predicate, ...]]:
         """A verb with what belongs to it, and more of such."""
         found: Ways[tuple[Predicate, ...]] = []
-        for said, end in self._verb(at):
+        starts = {at, self.past_any(at, *AUX) or at}  # "are to be", and "are to the left of it"
+        for said, end in (way for start in sorted(starts) for way in self._verb(start)):
             found.append((said, end))
             for start in {self.past_any(end, way) for way in ("and", "but", ", but", ", and")} - {0}:
                 found += [((*said, *more), stop) for more, stop in self.verbs(start)]
@@ -138,9 +141,8 @@ class Verbs(Places):
 
     def _verb(self, at: int) -> Ways[tuple[Predicate, ...]]:
         found: Ways[tuple[Predicate, ...]] = []
-        aux = self.past_any(at, *AUX) or at
-        no = self.past_any(aux, "not") or aux
-        denied = no > aux
+        no = self.past_any(at, "not") or at
+        denied = no > at
         start = no + (self.text(no) in {"both", "all", "each"} and not denied)
         ends = {end + (self.text(end) in {"both", "all"}) for way in _BE if (end := self.past_any(start, way))}
         for end in sorted(ends | {end + 1 for end in ends if self.text(end) in _DONE}):
@@ -155,6 +157,8 @@ class Verbs(Places):
                 here.append(((Made(replace(TOWER, order="kept") if kept else TOWER),), end + 1))
             if stays := self.past_any(end, *STAYS):
                 here.append(((STAY,), stays))
+            if denied and self.text(end - 1) in _MOVED:
+                found.append(((STAY,), end))  # "must not be moved"
             if denied or not_there > end:  # what is joined to it may be denied, too, or not
                 here = [(opposite, stop) for said, stop in here if (opposite := opposite_of(said))]
             found += here

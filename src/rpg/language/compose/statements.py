@@ -244,7 +244,7 @@ def _said(scene: Scene, ref: Ref, said: Predicate) -> None:
     if isinstance(said, Place) and said.no and (ref.each or ref.no or ref.every or ref.either):
         raise Unclear
     if isinstance(said, Place) and isinstance(said.of, Noun):
-        if said.no and said.of.det in {"each", "all", "both", "a", "another", "any"}:
+        if (said.no or ref.no) and said.of.det in {"each", "all", "both", "a", "another", "any"}:
             raise Unclear
         if on_an_end(said):
             raise Unclear

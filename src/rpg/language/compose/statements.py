@@ -244,8 +244,10 @@ def _said(scene: Scene, ref: Ref, said: Predicate) -> None:
     if isinstance(said, Place) and said.no and (ref.each or ref.no or ref.every or ref.either):
         raise Unclear
     if isinstance(said, Place) and isinstance(said.of, Noun):
-        if (said.no or ref.no) and said.of.det in {"each", "all", "both", "a", "another", "any"}:
+        if said.no and said.of.det in {"each", "all", "both", "a", "another", "any"}:
             raise Unclear
+        if ref.no and said.of.det == "any":
+            raise Unclear  # "neither of them touches either of those": none of all
         if on_an_end(said):
             raise Unclear
         only_color = said.of.color and not said.of.noun

@@ -32,6 +32,7 @@ _LEADS = (
     "the task is to", "you should", "hey", "yo", "hi", "hello", "goal :", "task :", "goal", "make sure that",
     "make sure", "see to it that", "make it so that", "need", "at the end", "in the end",
     "i have got", "you have got", "got", "have", "u got", "here is", "here are", "take", "use", "we got",
+    "how about", "what about",
 )  # fmt: skip
 _SEEN = tuple(
     f"{seen}{there}"
@@ -120,6 +121,8 @@ class Reader(Commands):
             found += [(replace(said, mood="start"), end) for said, end in self.clause(begin)]
         if first := self.past_any(at, "first", "first ,", "first of all ,"):
             found += [(replace(said, first=True), end) for said, end in self.clause(first)]
+        if self.text(at) == "only":
+            found += [(replace(said, only=True), end) for said, end in self._statement(at + 1) if says(said)]
         if of := self.past_any(at, "of which"):
             for amount, begin in self._amount(of):
                 some = replace(amount, of=Pronoun("which"))

@@ -6,7 +6,19 @@ from dataclasses import replace
 
 from rpg.language.compose.items import FIGURES
 from rpg.language.compose.stated import LINE, Stated
-from rpg.language.compose.syntax import TOWER, Bears, Clause, Label, Made, Noun, Phrase, Place, Pronoun, is_figure
+from rpg.language.compose.syntax import (
+    TOWER,
+    Bears,
+    Clause,
+    Label,
+    Made,
+    Noun,
+    Phrase,
+    Place,
+    Predicate,
+    Pronoun,
+    is_figure,
+)
 from rpg.language.compose.verbs import opposite_of
 from rpg.language.compose.words import Ways
 
@@ -76,7 +88,10 @@ class Commands(Stated):
             found += [(Clause(what, (Made(LINE),), "build"), end) for what, end in apart]
         if lined := self.past_any(at, "line up"):
             lined_up = [way for way in self._existing(lined) if not is_figure(way[0], but="tower")]
-            found += [(Clause(what, (Made(LINE), *said), "build"), end) for what, said, end in lined_up]
+            found += [
+                (Clause(what, said if _lined(said) else (Made(LINE), *said), "build"), end)
+                for what, said, end in lined_up
+            ]
             rows = [(what, way) for what, end in self.phrase(lined) for way in self.ordered(LINE, end)]
             found += [(Clause(what, (Made(row),), "build"), end) for what, (row, end) in rows]
         return found
@@ -127,3 +142,8 @@ def says(clause: Clause) -> bool:
 def several(phrase: Phrase) -> bool:
     """Whether more than one block is told."""
     return not isinstance(phrase, Label | Noun) or (isinstance(phrase, Noun) and (phrase.many or phrase.count > 1))
+
+
+def _lined(said: tuple[Predicate, ...]) -> bool:
+    """ "(Line up the blocks) from left to right": the line is told already."""
+    return bool(said) and isinstance(said[0], Made) and said[0].figure != TOWER

@@ -33,7 +33,7 @@ def forms(scene: Scene, ref: Ref, phrase: Phrase) -> None:
         raise Unclear
     if ref.kind != "block" or ref.each or (phrase.noun == "column" and phrase.way):
         raise Unclear  # in this order, or in any
-    in_order = phrase.ranks == ("left",)
+    in_order = phrase.ranks == ("left",) and not scene.alike(ref.ids)
     if in_order and len({scene.blocks[n].look for n in ref.ids}) < len(ref.ids):
         raise Unclear
     made = replace(phrase, det="a", ranks=(), content=Pronoun("these blocks"))

@@ -22,7 +22,8 @@ def check_in_time(way: Sequence[Clause]) -> None:
     for n, clause in enumerate(way):
         told = bool(clause.predicates) or isinstance(clause.subject, Chain)
         if clause.mood in {"there", "seen"} and not pictured:
-            _check_there(clause, told=told, alone=len(way) == 1, ahead=n < last)
+            ahead = n < last and (clause.mood == "seen" or way[last].mood != "put" or way[last].later)
+            _check_there(clause, told=told, alone=len(way) == 1, ahead=ahead)
         # how things look is so all the time
         looks = bool(clause.predicates) and all(isinstance(said, Looks) for said in clause.predicates)
         ends = any(behind.mood == "end" for behind in way[n + 1 :])
@@ -44,7 +45,8 @@ def _is_pictured(way: Sequence[Clause]) -> bool:
 
 
 def _check_there(clause: Clause, *, told: bool, alone: bool, ahead: bool) -> None:
-    """ "There is a tower": it is to be built, unless more is said of it, or is to be done."""
+    """ "There is a tower": it is to be built, or is there from the start where something is asked for; it may be either
+    where more is said of it, or where something else is made of things."""
     if any(_of_table(said) for said in clause.predicates):
         raise Unclear
     if not alone and (told or (ahead and is_figure(clause.subject))):
@@ -62,7 +64,9 @@ def _check_joined(clause: Clause, behind: Clause) -> None:
     new = not isinstance(behind.subject, Noun) or behind.subject.det not in {"the", "each"}
     if is_figure(clause.subject) and not clause.predicates and is_figure(behind.subject) and behind.predicates and new:
         place = behind.predicates[0]
-        if isinstance(place, Place) and place.of is not None and not isinstance(place.of, Pronoun):
+        of = place.of.of if isinstance(place, Place) and isinstance(place.of, Noun) else None  # "on its center"
+        told = isinstance(place, Place) and place.of is not None
+        if told and not isinstance(of, Pronoun) and not (isinstance(place, Place) and isinstance(place.of, Pronoun)):
             raise Unclear
 
 

@@ -122,6 +122,8 @@ def _noun(scene: Scene, noun: Noun) -> Ref:
         return part(scene, noun, resolve)
     if noun.of is not None and noun.noun in SYMBOL_KINDS | {"sign"}:
         return symbols(scene, noun, resolve)
+    if noun == Noun(det="each", noun="one"):
+        return pronoun(scene, "each")
     if noun == Noun(noun="one") and scene.whole:
         return _some_of(scene, Noun(count=1))
     if noun.of is not None or noun.det == "but" or noun == Noun(count=noun.count, bound=noun.bound):

@@ -9,7 +9,7 @@ from rpg.language.compose.nouns import resolve
 from rpg.language.compose.relating import place
 from rpg.language.compose.resting import on
 from rpg.language.compose.scene import SIDES, Ref, Scene, Unclear
-from rpg.language.compose.syntax import Both, Noun, Phrase, Place, Predicate, any_number, on_an_end
+from rpg.language.compose.syntax import Both, Noun, Phrase, Place, Predicate, Pronoun, any_number, on_an_end
 
 
 def one_by_one(scene: Scene, subject: Noun, said: Sequence[Predicate]) -> None:
@@ -42,6 +42,8 @@ def each_of_a_new_one(subject: Phrase, said: Sequence[Predicate]) -> bool:
     target = said[0].of
     if isinstance(target, Both) and all(isinstance(part, Noun) and (part.nth or part.ranks) for part in target.parts):
         target = Noun(det="both")  # "on the second and the fourth"
+    if target == Pronoun("each"):
+        target = Noun(det="each")
     if not isinstance(subject, Noun) or not isinstance(target, Noun):
         return False
     several = any_number(subject)

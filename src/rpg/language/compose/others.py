@@ -14,6 +14,10 @@ def take(scene: Scene, ids: list[int]) -> Ref:
 
 def others(scene: Scene, noun: Noun) -> Ref:
     """Those of the last lot that were not yet told of by themselves, or the other one of two figures or patches."""
+    if noun.noun in {"", "one", *FIGURES} and noun == Noun("other", noun.count, noun=noun.noun, many=noun.many):
+        rests = [ref.rest for ref in scene.before if ref.kind == "figure" and ref.rest]
+        if len(rests) == 1 and len(rests[0]) == (noun.count or (len(rests[0]) if noun.many else 1)):
+            return Ref("figure", list(rests[0]))
     of_figure = scene.subject is not None and scene.subject[0] == "figure" and noun == Noun("other", noun=noun.noun)
     if noun.noun in FIGURES or (of_figure and noun.noun in {"", "one"}):
         spoken = {n for told in (scene.here, scene.before) for ref in told if ref.kind == "figure" for n in ref.ids}

@@ -12,7 +12,7 @@ from rpg.language.compose.syntax import Place, Pronoun
 from rpg.language.compose.words import Ways, remembered
 
 _BARE: dict[str, tuple[str, ...]] = {
-    "top": ("on top", "on the top", "at the top", "at the very top", "on the very top"),
+    "top": ("on top", "on the top", "on its top", "at the top", "at the very top", "on the very top"),
     "bottom": ("at the bottom", "on the bottom", "below"),
     "middle": ("in the middle", "in between", "between them", "in the center", "in the centre", "at the center"),
     "left": ("on the left", "to the left", "at the left", "at the left end"),
@@ -50,7 +50,7 @@ _IN_LINE = frozenset({"top", "bottom", "middle", "left", "right"})
 """Where something is a part of what it is told of, if it is said to be "at" it."""
 _HOW = {
     "directly": "directly", "right": "immediately", "immediately": "immediately", "straight": "directly",
-    "flat": "flat", "somewhere": "somewhere", "anywhere": "somewhere",
+    "just": "immediately", "flat": "flat", "somewhere": "somewhere", "anywhere": "somewhere",
 }  # fmt: skip
 _INTO_REGION = ("in the", "on the", "at the", "to the", "into the", "in", "onto the", "near the")
 _SIDES = frozenset({"left", "right", "near", "far"})

@@ -26,6 +26,8 @@ def bare(scene: Scene, ref: Ref, said: Place) -> None:
     name = said.relation
     if name in {"free", "empty"} and ref.kind == "patch" and not said.no:
         scene.facts += [Fact(Ref("patch", [n]), "empty") for n in ref.ids]
+    elif name == "free" and ref.kind == "figure" and not (said.no or ref.bound):
+        scene.facts += [Fact(Ref("block", [n]), "clear") for n in tops_of(scene, ref)]
     elif name in {"free", "table", "flat"} and ref.kind == "block" and not ref.bound:
         word = {"free": "clear", "table": "table", "flat": "table"}[name]
         if said.no:

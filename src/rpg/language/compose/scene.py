@@ -53,7 +53,8 @@ class Figure:
     that are `placed`, and for what is `barred` from places. `implied`: it is told by what lies on what.
     `stage`: when it is formed, -1 at the start; `way`: where it rises or points; `alternates`: its blocks are of two
     colours in turn, as they are listed or the other way round; `in_order`: they are sorted by their symbols; `counted`:
-    of how many of a colour it is was said; `gaps`: how far apart those of a line are. Places of a tower are counted
+    of how many of a colour it is was said; `gaps`: how far apart those of a line are; `there`: the text said that
+    there is such a figure. Places of a tower are counted
     from the bottom, those of a row from the left, of a letter and a staircase as they are drawn, of anything else row
     by row from the far left, or from the top left of what stands upright.
     """
@@ -74,6 +75,7 @@ class Figure:
     in_order: bool = False
     counted: bool = False
     gaps: str = ""
+    there: bool = False
 
 
 @dataclass(slots=True)
@@ -121,7 +123,8 @@ class Scene:
     what the clause ahead puts something at: in which relation, and whether it was told as "it"; `placed` are figures
     that are put somewhere, so that it is no part of them that they are put at.
     `pending`: blocks that lie somewhere on others, and it has still to be said on which of them. `lines`: towers that
-    stand in a row; `facing`: figures told by their sides, as "the left tower" and "the right one". `instead`: what
+    stand in a row; `asked`: something is to be put somewhere; `facing`: figures told by their sides, as "the left
+    tower" and "the right one". `instead`: what
     "or" tells besides what was taken; `spare`: of these some were singled out, so that nothing need be said of the
     others. `script`: which of several ways to have it are taken, one after the other; `choices`: of how many each was
     one.
@@ -141,6 +144,7 @@ class Scene:
     lots: int = 0
     stage: int = 0
     at_start: bool = False
+    asked: bool = False
     subject: tuple[str, list[int]] | None = None
     place: tuple[Figure, int] | None = None
     placed: list[int] = field(default_factory=list)

@@ -100,6 +100,8 @@ class Stated(Becoming):
             looks.append(((Made(Noun(det="a", noun="row", ranks=("left",))),), end))
         sorted_so = self.ordered(Noun(det="a", noun="row"), start)
         looks += [((Made(row),), end) for row, end in sorted_so if self.text(end - 1) == "right"]
+        if end := self.past_any(at, "another one"):
+            looks += self.formed(Noun(det="another", noun="one"), end)  # the verb is that of the clause ahead
         if end := self.past_any(start, "lined up", ", lined up"):
             looks.append(((Made(LINE),), end))
         verbs = self.verbs(start) if start > at or self.text(start).endswith("ing") else []

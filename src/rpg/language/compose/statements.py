@@ -56,13 +56,27 @@ def say(scene: Scene, clause: Clause) -> None:
     scene.at_start = clause.mood == "start"
     facts, figures = len(scene.facts), len(scene.figures)
     _say(scene, clause)
+    if clause.only:
+        _check_only(scene, clause, facts)
     if clause.later:
         scene.stage += 1
     for n in range(facts, len(scene.facts)):
         scene.facts[n] = replace(scene.facts[n], stage=-1 if clause.mood == "start" else scene.stage)
     there = clause.mood == "start" or STAY in clause.predicates  # what stays where it is is there already
+    scene.asked |= clause.mood == "put"
     for figure in scene.figures[figures:]:
+        figure.there = clause.mood == "there" and not clause.predicates
         figure.stage = -1 if there else scene.stage
+
+
+def _check_only(scene: Scene, clause: Clause, ahead: int) -> None:
+    """ "Only the middle one gets a blue block": there is no other one that could lie elsewhere."""
+    said = clause.predicates[0]
+    upper = [fact.a.ids[0] for fact in scene.facts[ahead:] if fact.said == "on" and not fact.no]
+    looks = {scene.blocks[n].look for n in upper}
+    like = [n for n, block in enumerate(scene.blocks) if block.look in looks]
+    if not isinstance(said, Bears) or said.what is None or not upper or set(like) != set(upper):
+        raise Unclear
 
 
 def _one_or_other(scene: Scene, clause: Clause) -> None:

@@ -16,6 +16,7 @@ from rpg.language.compose.syntax import (
     Either,
     Listing,
     Looks,
+    Made,
     Noun,
     Place,
     Pronoun,
@@ -137,7 +138,11 @@ def check_said(clause: Clause, ref: Ref) -> None:
     several = isinstance(clause.subject, Both) and is_figure(clause.subject)
     if several and clause.mood != "put" and any(said.of is not None for said in places):
         raise Unclear  # "a row and a tower on the mat": both of them, or the last one
-    if len(clause.predicates) > 1 and any(said.how == "immediately" for said in places):
+    if (
+        len(clause.predicates) > 1
+        and not isinstance(clause.predicates[0], Made)
+        and any(said.how == "immediately" for said in places)
+    ):
         raise Unclear  # "right next to it, on its left": how near is said of both
     if any(said.relation in {"touch", "touching"} for said in places) and any(said.cm for said in places):
         raise Unclear

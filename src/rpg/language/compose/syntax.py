@@ -179,7 +179,7 @@ class Clause:
     `mood`: "put" and "build" are commands, "so" says that it is so, "must" that it has to be, "there" what there is,
     "seen" what a picture shows, "start" and "end" what is so then, "may" what is allowed. `aside`: what is told between
     the subject and its verb.
-    `first`, `later`: "first", "then". `other`: what else may be so instead.
+    `first`, `later`: "first", "then". `other`: what else may be so instead. `only`: it is so of nothing else.
     """
 
     subject: Phrase
@@ -189,6 +189,7 @@ class Clause:
     first: bool = False
     later: bool = False
     other: Clause | None = None
+    only: bool = False
 
 
 def is_figure(phrase: Phrase, but: str = "") -> bool:

@@ -78,7 +78,8 @@ def _check_moved_once(scene: Scene) -> None:
 
 
 def _of_stage(scene: Scene, figures: list[Figure], stage: int) -> list[str]:
-    said = [_figure(scene, figure) for figure in figures if figure.stage == stage]
+    there = scene.asked and stage < 0  # what there is when something is asked for is there from the start
+    said = [_figure(scene, figure) for figure in figures if figure.stage == stage or (there and figure.there)]
     return [*said, *(_fact(scene, fact) for fact in scene.facts if fact.stage == stage)]
 
 
@@ -210,7 +211,8 @@ def _figure(scene: Scene, figure: Figure) -> str:
     if figure.placed:
         scene.settle(figure)
     names, many = _names(scene, figure.blocks), len(figure.blocks)
-    listed = _sorted(scene, figure) if figure.in_order else f"in the order {_in_turn(scene, figure)}"
+    alone = len([other for other in scene.figures if scene.blocks[other.blocks[0]].label]) == 1
+    listed = _sorted(scene, figure) if figure.in_order and alone else f"in the order {_in_turn(scene, figure)}"
     order = f" {listed}" if figure.told and not _is_only_topped(scene, figure) else ""
     if figure.kind == "tower":
         order = order and f" from bottom to top{order}"

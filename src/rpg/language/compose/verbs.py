@@ -42,6 +42,7 @@ _FORM = ("form", "forms", "make", "makes", "become", "becomes", "make up", "make
          "are arranged in", "are arranged as", "is arranged in", "are arranged into", "be arranged in",
          "be arranged as", "are in", "be in", "stand in", "lie in", "go in", "go into", "are stacked into",
          "stacked into", "turn into", "are built into", "is", "are")  # fmt: skip
+_FORMING = frozenset({"form", "forms", "make", "makes", "become", "becomes", "build"})
 _BEAR = ("carry", "carries", "support", "supports", "bear", "bears", "has", "have", "get", "gets", "hold", "holds",
          "carrying", "bearing", "supporting", "holding")  # fmt: skip
 STAYS = ("where it is", "where they are", "as it is", "as they are", "untouched", "in place", "unmoved")
@@ -164,11 +165,9 @@ class Verbs(Places):
             found += here
         for end in {self.past_any(start, way) for way in _FORM} - {0}:
             for figure, stop in self.single(end):
-                if isinstance(figure, Noun) and figure.noun in FIGURES and not denied:
-                    found.append(((Made(figure),), stop))
-                    that = self.past_any(stop, "that", "which") or stop
-                    found += [((Made(figure), *more), last) for more, last in self.verbs(that)]
-                    found += [((Made(figure), *more), last) for more, last in self.predicates(stop)]
+                another = figure == Noun(det="another", noun="one") and self.text(start) in _FORMING
+                if isinstance(figure, Noun) and (figure.noun in FIGURES or another) and not denied:
+                    found += self.formed(figure, stop)
         for end in {self.past_any(start, way) for way in _BEAR} - {0}:
             if nothing := self.past_any(end, "nothing on top", "nothing on it", "nothing"):
                 found.append(((Bears(None),), nothing))
@@ -183,6 +182,14 @@ class Verbs(Places):
             found += [((Place("touch", of, no=denied),), stop) for of, stop in self.phrase(end)]
             if each := self.past_any(end, "each other", "one another"):
                 found.append(((Place("touching", no=denied),), each))
+        return found
+
+    def formed(self, figure: Noun, at: int) -> Ways[tuple[Predicate, ...]]:
+        """What is formed, with what is said of it behind."""
+        found: Ways[tuple[Predicate, ...]] = [((Made(figure),), at)]
+        that = self.past_any(at, "that", "which") or at
+        found += [((Made(figure), *more), last) for more, last in self.verbs(that)]
+        found += [((Made(figure), *more), last) for more, last in self.predicates(at)]
         return found
 
     def _neither(self, at: int) -> Ways[tuple[Predicate, ...]]:

@@ -55,10 +55,11 @@ def check_none_added(words: list[Token], task: TaskSchema) -> None:
     if told[:1] != ["there"] or not _FURTHER.isdisjoint(told):
         return
     there = Counter(map(_look, task.blocks))
-    for (number, token), verb in zip(pairwise(words), told[1:], strict=False):
+    behind = (*told[2:], "")
+    for (number, token), verb, noun in zip(pairwise(words), told[1:], behind, strict=False):
         if verb in lexicon.VERB and verb not in ("is", "are"):
             return
-        color = lexicon.COLOR.get(token.word)
+        color = lexicon.COLOR.get(token.word) if noun not in lexicon.STRUCTURE else None  # "two red towers"
         if color is not None and 0 < number.many < there[color]:
             message = f"there are {number.many} of '{color}', but {there[color]} are spoken of"
             raise refuse("count-mismatch", message, token.span, "list them all, or say 'another'")

@@ -21,7 +21,7 @@ from rpg.language.meaning import (
     Structure,
     parts_of,
 )
-from rpg.passes.schema.resolve.things.world import refuse
+from rpg.passes.schema.resolve.things.world import refuse, which_one
 
 EACH_TOWER = "say for example 'build two towers, each with a blue block at the bottom and two red ones on top'"
 """What to say of blocks that are to carry several each."""
@@ -79,8 +79,8 @@ def _one_for_each(theme: Meaning | None, place: Loc, mats: bool) -> None:
         raise refuse("ambiguous", "one of these on each, or all of them on each?", place.span,
                      "say on which patch each of them is")  # fmt: skip
     if not several and (place.rel in _BESIDE or both):
-        raise refuse("ambiguous", "one for all of them, or one for each?", place.span,
-                     "name what is at each in a sentence of its own")  # fmt: skip
+        hint = "name what is at each in a sentence of its own"
+        raise which_one("one for all of them, or one for each?", place.span, hint)
 
 
 _NARROW = ("stack", "pyramid")

@@ -72,7 +72,7 @@ from rpg.passes.schema.resolve.things.operands import (
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.theirs import off_which
 from rpg.passes.schema.resolve.things.things import compared, matching
-from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
+from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse, which_one
 
 PATCH_MIDDLE = 0.02
 """How far from a patch's centre a block in its middle may be, in metres."""
@@ -306,11 +306,11 @@ def _landmarks(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.G
     each = getattr(loc.landmark, "word", "") in ("each", "each one", "each of them")
     if each and loc.rel == "on" and len(mark.built) == 1 and mark.built[0].kind == "stack":
         raise refuse("ambiguous", "only the top one of these blocks has room on it", loc.span, "say 'on top of it'")
-    one_each = each and len(mark.built) > 1
+    one_each = (each or mark.each) and len(mark.built) > 1
     if loc.rel == "on" and (mark.each or each) and theme.built and len(mark.names) > 1 and not mark.built:
         raise refuse("ambiguous", "one tower on all of these, or one on each?", loc.span, EACH_TOWER)
     if (one_each or first_and_last(loc.landmark)) and loc.rel != "on" and indefinite(theme) and len(theme.names) == 1:
-        raise refuse("ambiguous", "one for all of them, or one for each?", loc.span, "name the one of each")
+        raise which_one("one for all of them, or one for each?", loc.span, "name the one of each")
     marks = [mark] if mark.each and indefinite(theme) else one_by_one(mark, loc, scene)
     if len(marks) > 1 and (theme.op in ("or", "xor") or (theme.quant is not None and theme.quant.high != 0)):
         raise refuse("ambiguous", "it is not clear which of them is meant by each", loc.span, "use two sentences")

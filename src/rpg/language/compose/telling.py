@@ -211,7 +211,7 @@ def _figure(scene: Scene, figure: Figure) -> str:
     if figure.placed:
         scene.settle(figure)
     names, many = _names(scene, figure.blocks), len(figure.blocks)
-    alone = len([other for other in scene.figures if scene.blocks[other.blocks[0]].label]) == 1
+    alone = figure.kind == "tower" or sum(bool(scene.blocks[f.blocks[0]].label) for f in scene.figures) == 1
     listed = _sorted(scene, figure) if figure.in_order and alone else f"in the order {_in_turn(scene, figure)}"
     order = f" {listed}" if figure.told and not _is_only_topped(scene, figure) else ""
     if figure.kind == "tower":

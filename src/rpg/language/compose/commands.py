@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rpg.language.compose.items import FIGURES
+from rpg.language.compose.measures import IN_CUBES
 from rpg.language.compose.stated import LINE, Stated
 from rpg.language.compose.syntax import (
     TOWER,
@@ -129,7 +130,7 @@ class Commands(Stated):
         word = self.items[start].value if start < len(self.items) else ""
         if not word.isalpha():
             return []
-        end = self.past_any(start + 1, "in a row", "in a line") or start + 1
+        end = self.past_any(start + 1, "in a row", "in a line", *IN_CUBES) or start + 1
         what = Noun(det="a", noun="word", word=word)
         return [(Clause(what, (), "build"), end), *((Clause(what, s, "build"), e) for s, e in self.predicates(end))]
 

@@ -24,6 +24,11 @@ _ALTERNATING = (
     "alternating", "with alternating", "in alternating", "alternating between", "that alternate between", "alternately",
     "that alternate", "which alternate between", "of alternating",
 )  # fmt: skip
+_SHOWN = frozenset({"word", "equation"})
+IN_CUBES = ("from left to right", ", from left to right", "left to right", "with letter block", "with block",
+             "with the letter block", "out of letter block", "in letter block", "with number block", "in block",
+             "with digit block")  # fmt: skip
+"""What says no more of what is read than what it is made of, and how it is read."""
 _SPACED = frozenset({"row", "line", "column"})
 _EVENLY = ("evenly spaced", "spaced evenly", "with even spacing", "equally spaced", "with equal gaps",
            "with equal spacing")  # fmt: skip
@@ -175,6 +180,8 @@ class Measures(Text):
     def ordered(self, noun: Noun, at: int) -> Iterator[tuple[Noun, int]]:
         """ "in alphabetical order", "ascending from left to right", "rising to the right", "open to the left"."""
         yield from self._spaced(noun, at)
+        if noun.noun in _SHOWN and (end := self.past_any(at, *IN_CUBES)):
+            yield noun, end
         yield from self._alternating(noun, at)
         start = at + (self.text(at) == ",")
         if noun.noun == "column" and (end := self.past_any(start, "going away from me", "away from me")):

@@ -142,6 +142,8 @@ def _noun(scene: Scene, noun: Noun) -> Ref:
         like = [n for n, block in enumerate(scene.blocks) if block.color == noun.color]
         if len(own) == 1 and len(like) == len(scene.figures[own[0]].blocks):
             return Ref("figure", own)
+    if noun.noun == "one" and noun.color and noun.many and not (scene.blocks or scene.patches):
+        noun = replace(noun, noun="block")  # "three yellow ones in a row"
     if noun.noun == "table":
         return Ref("table", [])
     if noun.noun == "patch":
@@ -334,7 +336,8 @@ def _blocks(scene: Scene, noun: Noun) -> Ref:
         if scene.whole != stock:
             scene.whole, scene.taken = list(stock), []
         return replace(take(scene, left[:count]), fresh=True)
-    if noun.det == "another" and like:
+    stocked = any(set(lot) & set(like) for lot in (*scene.stock, scene.whole))
+    if noun.det == "another" and like and (stocked or not noun.color):
         left = [n for n in scene.whole if n not in scene.taken]
         if not scene.taken or not left or left[0] not in like:
             raise Unclear

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from itertools import combinations
 
+from rpg.language.compose.forming import forms
 from rpg.language.compose.lined import rise
 from rpg.language.compose.nouns import resolve
 from rpg.language.compose.ordering import put_in_order
@@ -17,6 +18,7 @@ from rpg.language.compose.syntax import Both, Noun, Phrase, Place
 _RELATIONS = {"next": "next to", "near": "near", "far": "far from", "touch": "touch"}
 _HOW = {"top": "", "directly": "directly ", "immediately": "immediately ", "somewhere": "somewhere ", "": ""}
 _BOUND = {"least": "at least ", "most": "at most ", "about": "about "}
+_FLAT = frozenset({"row", "line", "column", "word", "equation", "grid", "group", "circle"})
 _NO_CORNERS = frozenset({"tower", "row", "line", "column", "word", "equation", "group", "circle"})
 _BARE_PLACES = frozenset({"top", "bottom", "middle", "left", "right", "front", "behind"})
 
@@ -57,6 +59,8 @@ def bare(scene: Scene, ref: Ref, said: Place) -> None:
             if (figure.kind == "tower") != (said.side == "top"):
                 raise Unclear  # which end is the first one
             put_in_order(scene, figure, said.how)
+    elif name == "sorted" and ref.kind == "block" and said.side != "top" and not said.no:
+        forms(scene, ref, Noun(det="a", noun="row", order=said.how))
     elif name == "rising" and not said.no:
         rise(scene, ref, said.side)
     elif name == "in turn" and ref.kind == "figure" and len(ref.ids) == 2 and not said.no:
@@ -205,9 +209,9 @@ def place(scene: Scene, ref: Ref, target: Ref, said: Place) -> None:
     elif name in {"off", "in", "opposite"}:
         raise Unclear
     elif name == "on" and target.kind == "table":
-        if ref.kind != "block" or said.no:
+        if ref.kind not in {"block", "figure"} or said.no or ref.bound or ref.rest:
             raise Unclear
-        scene.facts += [Fact(Ref("block", [n]), "table") for n in ref.ids]
+        scene.facts += [Fact(Ref("block", [n]), "table") for n in _lowest(scene, ref)]
     elif name == "under":
         if ref.kind != "block" or len(ref.ids) != 1 or said.how == "somewhere":
             raise Unclear
@@ -216,6 +220,16 @@ def place(scene: Scene, ref: Ref, target: Ref, said: Place) -> None:
         on(scene, ref, target, "somewhere above" if said.how == "somewhere" else "on", no=said.no)
     elif not _in_row(scene, ref, target, said):
         _beside(scene, ref, target, said)
+
+
+def _lowest(scene: Scene, ref: Ref) -> list[int]:
+    """The blocks that are on the table where these are: of a tower the lowest one, of what is flat all of them."""
+    found: list[int] = []
+    for figure in (scene.figures[n] for n in ref.ids) if ref.kind == "figure" else ():
+        if figure.kind not in {"tower", *_FLAT}:
+            raise Unclear
+        found += [scene.at(figure, 0)] if figure.kind == "tower" else figure.blocks
+    return found if ref.kind == "figure" else ref.ids
 
 
 def _in_row(scene: Scene, ref: Ref, target: Ref, said: Place) -> bool:

@@ -210,12 +210,29 @@ def _is_at(scene: Scene, subject: Phrase, said: Sequence[Predicate]) -> bool:
     """ "The middle one is the white block", "B is the last one": tells which block of a figure is at a place of it."""
     like = said[0].like if len(said) == 1 and isinstance(said[0], Looks) else None
     for block, there in ((like, subject), (subject, like)):
-        known = isinstance(block, Noun) and replace(block, color="") in (_THE_BLOCK, _THE_ONE) and block.color
+        known = isinstance(block, Label) or (_is_the_one(block) and isinstance(block, Noun) and block.color)
+        if known and block and isinstance(there, Noun) and there.that and _is_the_one(replace(there, that=())):
+            block = block if isinstance(block, Label) else replace(block, noun="block")
+            _said_of(scene, resolve(scene, block), there.that)  # "the block on top of white is the red one"
+            return True
         ranked = isinstance(there, Noun) and (there.ranks or there.nth) and not (there.color or there.many)
-        if block and isinstance(there, Noun) and ranked and (isinstance(block, Label) or known):
+        if block and isinstance(there, Noun) and ranked and known:
             at_part(scene, resolve(scene, block), there, no=False)
             return True
     return False
+
+
+def _is_the_one(phrase: Phrase | None) -> bool:
+    """ "The block", "the red one": one by its colour alone, or by nothing."""
+    return isinstance(phrase, Noun) and replace(phrase, color="") in (_THE_BLOCK, _THE_ONE)
+
+
+def _said_of(scene: Scene, ref: Ref, said: Sequence[Predicate]) -> None:
+    """Says it of these; "it" is something else."""
+    scene.subject = (ref.kind, ref.ids)
+    for one in said:
+        _said(scene, ref, one)
+    scene.subject = None
 
 
 def _aside(scene: Scene, ref: Ref, clause: Clause) -> None:

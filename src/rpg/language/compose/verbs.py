@@ -71,6 +71,8 @@ class Verbs(Places):
         """Places, one after the other: "on the patch and left of A", "off the mat but not on the table"."""
         found: Ways[tuple[Predicate, ...]] = []
         found += [((Made(figure),), end) for figure, end in self.into(at)]
+        formed = [(figure, way) for figure, end in self.into(at) for way in self.predicates(end)]
+        found += [((Made(figure), *more), stop) for figure, (more, stop) in formed]
         found += self._either(at)
         found += self._shares(at)
         for place, end in self.place(at):

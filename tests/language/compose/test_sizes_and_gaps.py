@@ -65,9 +65,9 @@ def test_what_may_be_meant_otherwise_is_not_read(text: str) -> None:
     ("text", "meaning"),
     [
         ("Three pink ones in a row behind a tower of two white ones",
-         "Pink block 1, pink block 2 and pink block 3 must be in a row White block 1 and white block 2 must form a tower "
-         "of exactly two Pink block 1, pink block 2 and pink block 3 must be behind the tower of white block 1 and white "
-         "block 2."),
+         "Pink block 1, pink block 2 and pink block 3 must be in a row White block 1 and white block 2 must form a "
+         "tower of exactly two Pink block 1, pink block 2 and pink block 3 must be behind the tower of white block 1 and "
+         "white block 2."),
         ("The word GO on the table, with the word HI behind it.",
          "The G block and the O block must spell the word GO The H block and the I block must spell the word HI The G "
          "block must be on the table The O block must be on the table The H block and the I block must be behind the G "
@@ -79,8 +79,8 @@ def test_what_may_be_meant_otherwise_is_not_read(text: str) -> None:
         ("The block to the left of D is the K, and the block on top of D is the pink one.",
          "The K block must be to the left of the D block The pink block must be on the D block."),
         ("Write YES with letter cubes to the left of the pink block",
-         "The Y block, the E block and the S block must spell the word YES The Y block, the E block and the S block must "
-         "be to the left of the pink block."),
+         "The Y block, the E block and the S block must spell the word YES The Y block, the E block and the S block "
+         "must be to the left of the pink block."),
     ],
 )  # fmt: skip
 def test_what_is_told_of_lines_and_of_what_is_somewhere(text: str, meaning: str) -> None:

@@ -212,7 +212,7 @@ def _is_at(scene: Scene, subject: Phrase, said: Sequence[Predicate]) -> bool:
     for block, there in ((like, subject), (subject, like)):
         known = isinstance(block, Label) or (_is_the_one(block) and isinstance(block, Noun) and block.color)
         if known and block and isinstance(there, Noun) and there.that and _is_the_one(replace(there, that=())):
-            block = block if isinstance(block, Label) else replace(block, noun="block")
+            block = replace(block, noun="block") if isinstance(block, Noun) else block
             _said_of(scene, resolve(scene, block), there.that)  # "the block on top of white is the red one"
             return True
         ranked = isinstance(there, Noun) and (there.ranks or there.nth) and not (there.color or there.many)

@@ -25,7 +25,7 @@ from rpg.language.compose.words import Ways
 
 _BUILD = frozenset({
     "build", "make", "construct", "create", "form", "assemble", "lay", "arrange", "set", "erect", "produce",
-    "prepare", "put", "stack", "stand", "place", "raise", "draw", "compose", "show", "write",
+    "prepare", "put", "stack", "stand", "place", "raise", "draw", "compose", "show", "write", "do",
 })  # fmt: skip
 
 _BUILD_ME = ("me", "up", "out", "down", "together")

@@ -140,6 +140,8 @@ class Heads(Measures):
         following = self.items[behind].value if behind < len(self.items) else ""
         word = item.value or (following if kind in {"word", "equation"} else "")
         end = behind + (word != item.value)
+        if kind in {"bottom", "end"} and (stem := self.past_any(end, "of the stem", "of its stem")):
+            yield replace(noun, noun="bottom"), stem  # of a T
         yield replace(noun, noun=kind, many=noun.many or item.many, word="pair" if text == "pair" else word), end
         if kind == "block" and self.text(at + 1) in {"tower", "row"} and noun.count:
             size = (noun.count,)

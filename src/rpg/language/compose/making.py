@@ -6,6 +6,7 @@ from dataclasses import replace
 from math import isqrt, prod
 
 from rpg.blocks.figures import FEWEST
+from rpg.language.compose.drawing import drawn
 from rpg.language.compose.ordering import as_at_start, put_in_order
 from rpg.language.compose.places_of import DRAWN, steps
 from rpg.language.compose.scene import Figure, Resolve, Scene, Unclear
@@ -62,10 +63,14 @@ def make(scene: Scene, noun: Noun, kind: str, resolve: Resolve) -> int:
         if usual and not size and scene.stock:
             raise Unclear  # of those that there are
         many = prod(size) if all(size) and size else FEWEST[kind] if usual else 0
+        if noun.limbs and not size and any(told := drawn(kind, noun.limbs, 0)[0]):
+            many = told[1] + 2 * (told[0] - 1) if kind == "U" else sum(told) - 1
         figure.blocks = scene.new_blocks(many, noun.color)
     if noun.color and any(scene.blocks[n].color != noun.color for n in figure.blocks):
         raise Unclear
     _check_size(figure, size, noun)
+    if noun.limbs:
+        _draw(figure, noun)
     kept = [f for f in scene.figures if scene.at_start or not scene.may_change(f)]
     if len(figure.blocks) < 2 or any(n in f.blocks for f in kept for n in figure.blocks):
         raise Unclear
@@ -76,6 +81,14 @@ def make(scene: Scene, noun: Noun, kind: str, resolve: Resolve) -> int:
     scene.figures.append(figure)
     scene.here = here  # "it" is the figure, not what it is made of
     return len(scene.figures) - 1
+
+
+def _draw(figure: Figure, noun: Noun) -> None:
+    """The lengths of a letter, and where it points, as its parts were told."""
+    sides, way = drawn(figure.kind, noun.limbs, len(figure.blocks))
+    if figure.way and way not in {"", figure.way}:
+        raise Unclear
+    figure.size, figure.way = sides if any(sides) else (), figure.way or way
 
 
 def _told_in_turn(scene: Scene, figure: Figure, noun: Noun, content: Chain, resolve: Resolve) -> None:

@@ -8,12 +8,12 @@ from dataclasses import replace
 from rpg.blocks.figures import pyramid_size, staircase_size
 from rpg.language import lexicon
 from rpg.language.compose.items import FIGURE, RANK
+from rpg.language.compose.limbs import LETTERS, Limb, Limbs
 from rpg.language.compose.syntax import Noun
-from rpg.language.compose.words import Text
 
 _SHAPED = frozenset({"figure", "form", "arrangement", "structure", "shape"})
 _LONG = frozenset({"tower", "row", "line", "column", "one"})
-LETTERS = frozenset({"l", "t", "v", "u"})
+_DRAWN = frozenset({"l", "t", "v", "u"})
 _MEASURES = {"high": "high", "tall": "high", "wide": "wide", "long": "wide", "deep": "deep"}
 _ORDERS: dict[str, tuple[str, ...]] = {
     "alphabetical": ("in alphabetical order", "alphabetically", "sorted alphabetically", "in alphabetic order"),
@@ -46,22 +46,30 @@ _WAYS: dict[str, tuple[str, ...]] = {
                   "going up towards", "which rises to", "leading up to"),
     "L": ("with its foot to", "with its foot pointing to", "with the foot to", "with the foot pointing to",
           "with the foot on", "with its foot on", "pointing"),
-    "U": ("open to", "opening to", "with its opening to", "which is open to", "that opens to"),
+    "U": ("open to", "open at", "open on", "open towards", "opening to", "with its opening to", "which is open to",
+          "that opens to"),
 }  # fmt: skip
 
 
-class Measures(Text):
+class Measures(Limbs):
     """Reads what a figure is like."""
 
     def figure_at(self, at: int) -> tuple[str, int]:
         """The kind of figure that words are, and where they end: "plus sign", "L", "L shape", "cube"."""
+        at += (self.text(at) in {"capital", "big"}) * self._drawn_letter(at + 1)
+        at += (self.text(at) == "letter") * self._drawn_letter(at + 1)
         text = self.text(at)
-        if text in LETTERS and self.text(at + 1) == "shaped" and self.text(at + 2) in _SHAPED:
+        if text in _DRAWN and self.text(at + 1) == "shaped" and self.text(at + 2) in _SHAPED:
             return text.upper(), at + 3
-        if text in LETTERS and (self.items[at].raw.isupper() or self.text(at + 1) == "shape"):
+        if text in _DRAWN and (self.items[at].raw.isupper() or self.text(at + 1) == "shape"):
             return text.upper(), at + 1 + (self.text(at + 1) == "shape")
         kind = FIGURE.get(text, "")
         return kind, at + 1 + (bool(kind) and self.text(at + 1) in {"sign", "shape"})
+
+    def _drawn_letter(self, at: int) -> bool:
+        """Whether it is a letter that may be built of blocks, or "letter" with one behind it."""
+        at += self.text(at) == "letter"
+        return self.text(at) in _DRAWN and at < len(self.items) and self.items[at].raw.isupper()
 
     def sized(self, noun: Noun, at: int) -> Iterator[tuple[Noun, int]]:
         """A size ahead of the noun: "2x3", "two by three", "three-block", "three-step"."""
@@ -95,6 +103,8 @@ class Measures(Text):
         flat = noun.noun in {"grid", "square"}
         if set(sizes) == ({"wide", "deep"} if flat else {"wide", "high"}):
             yield replace(noun, size=(sizes["deep"], sizes["wide"]) if flat else (sizes["wide"], sizes["high"])), start
+        elif noun.noun == "U" and set(sizes) == {"wide", "deep"} and not noun.limbs:
+            yield replace(noun, limbs=(Limb("arm", sizes["deep"]), Limb("base", sizes["wide"]))), start
         elif len(sizes) == 1 and noun.noun == "wall":
             yield replace(noun, size=(sizes.get("wide", 0), sizes.get("high", 0))), start
         elif len(sizes) == 1 and noun.noun in ({"tower", "one"} if "high" in sizes else _LONG):
@@ -183,6 +193,8 @@ class Measures(Text):
         if noun.noun in _SHOWN and (end := self.past_any(at, *IN_CUBES)):
             yield noun, end
         yield from self._alternating(noun, at)
+        if noun.noun in LETTERS and not noun.limbs:
+            yield from ((replace(noun, limbs=told), end) for told, end in self.limbs(noun.noun, at))
         start = at + (self.text(at) == ",")
         if noun.noun == "column" and (end := self.past_any(start, "going away from me", "away from me")):
             yield noun, end

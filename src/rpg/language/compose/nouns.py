@@ -48,6 +48,8 @@ def _labelled(scene: Scene, label: str, color: str) -> int:
         raise Unclear
     if not found and any(not block.color and not block.label for block in scene.blocks):
         raise Unclear  # it may be one of those of which nothing is said
+    if not found and any(figure.kind == label for figure in scene.figures):
+        raise Unclear  # "the T" is the one that is built
     return found[0] if found else scene.new_blocks(1, color, label)[0]
 
 

@@ -8,6 +8,7 @@ from dataclasses import replace
 from rpg.language import lexicon
 from rpg.language.compose.heads import NAMED, TOLD_BY
 from rpg.language.compose.items import FIGURES, PARTS, SYMBOL, SYMBOL_KINDS
+from rpg.language.compose.limbs import LETTERS
 from rpg.language.compose.relatives import Relatives
 from rpg.language.compose.some_of import labelled
 from rpg.language.compose.syntax import (
@@ -30,6 +31,8 @@ _DETS = {
     "our": "the", "whichever": "the", "either": "each", "second": "another", "further": "another",
 }  # fmt: skip
 _STANDS = ("is", "comes", "stands")
+_FLAT = ("on the table", "lying on the table", "flat on the table", "lying flat on the table")
+"""Letters of blocks lie there anyway."""
 _THAT_STANDS = ("that is", "which is", "that stands", "which stands")
 
 
@@ -172,11 +175,7 @@ class Phrases(Relatives):
         if noun.noun in FIGURES and self.text(at) == "in" and (color := lexicon.COLOR.get(self.text(at + 1))):
             found.append((replace(noun, color=color), at + 2))
         if noun.noun in FIGURES or (noun.noun == "one" and noun.det in {"a", "another"}):
-            figures: Ways[Noun] = []
-            for measured, end in [(noun, at), *self.measured(noun, at)]:
-                figures += [(measured, end), *self._filled(measured, end)]
-                if start := self.past_any(end, "of", ":", ",", ", of"):
-                    figures += self.in_turn(measured, start)
+            figures = self._sized_and_filled(noun, at)
             found += [*figures[1:], *(way for figure, end in figures for way in self.ordered(figure, end))]
             plain = [(one, end) for one, end in figures if one.content is None or counted(one.content)]
             found += [way for figure, end in plain for way in self.one_by_one(figure, end)]
@@ -189,6 +188,21 @@ class Phrases(Relatives):
             if noun.noun in {"block", "one", *SYMBOL_KINDS} and noun.det == "the" and not noun.ranks:
                 found += self._at_a_part(noun, at)
         return found
+
+    def _sized_and_filled(self, noun: Noun, at: int) -> Ways[Noun]:
+        """A figure with its size and what it is made of: "of two red blocks", "three high"."""
+        starts: Ways[Noun] = [(noun, at), *self.measured(noun, at)]
+        drawn = noun.noun in LETTERS and noun.det in {"a", ""}
+        if drawn:  # "an L, open at the back, of five blocks", "a T on the table of five blocks"
+            starts += self.ordered(noun, at)
+            starts += [(noun, flat)] if (flat := self.past_any(at, *_FLAT)) else []
+        figures: Ways[Noun] = []
+        for measured, end in starts:
+            figures += [(measured, end), *self._filled(measured, end)]
+            if start := self.past_any(end, "of", ":", ",", ", of"):
+                figures += self.in_turn(measured, start)
+        laid = [(figure, flat) for figure, end in figures if drawn and (flat := self.past_any(end, *_FLAT))]
+        return [*figures, *laid]
 
     def _filled(self, noun: Noun, at: int) -> Iterator[tuple[Noun, int]]:
         """What figures are made of; what "four" are may be told behind it: "of four, out of two red and two blue"."""

@@ -16,7 +16,7 @@ _AXES = {"left": (0, min), "right": (0, max), "far": (1, min), "near": (1, max),
 _LINES = frozenset({"row", "column", "layer", "side", "step"})
 DRAWN: dict[str, dict[str, tuple[int, ...]]] = {
     "L": {"corner": (0,)}, "V": {"point": (0,), "corner": (0,), "end": (-2, -1)}, "T": {"bottom": (-1,)},
-    "U": {"corner": (0, 1), "end": (-2, -1)},
+    "U": {"corner": (0, 1), "end": (-2, -1), "point": (-2, -1)},
 }  # fmt: skip
 """Letters that lie in any way, their parts by places in the order in which they are drawn."""
 

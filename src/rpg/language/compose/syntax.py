@@ -8,6 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from rpg.language.compose.items import FIGURES
+from rpg.language.compose.limbs import Limb
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,7 +20,7 @@ class Noun:
     `of`: the whole that it is a part of, or those that it is some of. `content`: what it is made of, told with the word
     `made`. `but`: those that are left out. `that`: what is so of those that are meant, and of no others. `order`:
     "alphabetical", "ascending", "descending" or "any"; `way`: where a figure rises or points; `gaps`: how far apart the
-    blocks of a line are told to be.
+    blocks of a line are told to be; `limbs`: the parts of a letter.
     """
 
     det: str = ""
@@ -40,6 +41,7 @@ class Noun:
     order: str = ""
     way: str = ""
     gaps: str = ""
+    limbs: tuple[Limb, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

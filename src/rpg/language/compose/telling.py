@@ -305,13 +305,24 @@ def _form(figure: Figure, many: int) -> str:
         return f"a staircase of {number(steps(many))} steps{way}{drawn}"
     if figure.kind in DRAWN:
         side = {"near": "front", "far": "back"}.get(figure.way, figure.way)
-        way = {"L": f" with its foot to the {side}", "U": f" open to the {side}"}.get(figure.kind, "") if side else ""
-        return f"a {figure.kind}{way}{drawn}"
+        ways = {"L": f" with its foot to the {side}", "U": f" open to the {side}", "T": f" with its stem to the {side}"}
+        return f"a {figure.kind}{_lengths(figure)}{ways.get(figure.kind, '') if side else ''}{drawn}"
     if figure.kind == "plus":
         return "a plus sign"
     if figure.kind in {"circle", "triangle", "square"}:
         return {"circle": "a circle"}.get(figure.kind, f"the outline of a {figure.kind}")
     raise Unclear
+
+
+def _lengths(figure: Figure) -> str:
+    """How long the parts of a letter are, if this was told."""
+    if len(figure.size) < 2:
+        return ""
+    long, other = map(number, figure.size)
+    return {
+        "T": f" with a bar of {long} blocks", "L": f" {long} blocks long",
+        "U": f" {other} blocks wide and {long} blocks deep",
+    }[figure.kind]  # fmt: skip
 
 
 _LEFT_TO_RIGHT = ("at the left end", "at the right end", "from the left")

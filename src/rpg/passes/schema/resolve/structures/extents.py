@@ -6,7 +6,7 @@ from collections.abc import Collection, Sequence
 
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
-from rpg.language.meaning import Coord, Meaning, Size, Structure, replace
+from rpg.language.meaning import Coord, Meaning, Noun, Size, Structure, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.things.things import amount_of
 from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, refuse
@@ -83,7 +83,9 @@ def check_total(total: Size | None, names: Collection[str]) -> None:
 
 
 def _tally(members: Meaning | None) -> int | None:
-    """How many blocks "two red and two white blocks" are."""
+    """How many blocks "two red and two white blocks" are, or "red block 1 and red block 2"."""
+    if isinstance(members, Noun) and members.amount is None and (members.traits.rank or "").startswith("#"):
+        return 1
     if not isinstance(members, Coord) or members.op != "and":
         return amount_of(members)
     counts = [_tally(item) for item in members.items]

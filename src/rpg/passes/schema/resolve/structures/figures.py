@@ -11,7 +11,7 @@ from rpg.language.meaning import Absolute, At, Manner, Noun, Structure, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.orders.agreeing import OPPOSITE
 from rpg.passes.schema.resolve.orders.parts import place_of, widened
-from rpg.passes.schema.resolve.structures.extents import Made, made, plain, said_count
+from rpg.passes.schema.resolve.structures.extents import Made, made, plain, said_count, used_count
 from rpg.passes.schema.resolve.structures.grids import grid
 from rpg.passes.schema.resolve.structures.hubs import hub_of, with_hub
 from rpg.passes.schema.resolve.structures.limbs import limbs_of
@@ -56,8 +56,8 @@ def figure(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope:
         square = shape.kind == "square" and even and (turns or (count or 0) % 4)
         if shape.dims or shape.filled or square or shape.extent("rows", "columns", "wide", "long", "deep"):
             return grid(shape, spec, theme, scene, scope)
-    if count is None and spec.usings and shape.kind in ("T", "L", "plus"):
-        count = amount_of(spec.usings[0].members)
+    if count is None and spec.usings and shape.kind in ("T", "L", "U", "plus"):
+        count = amount_of(spec.usings[0].members) or used_count(spec)
     sides, need = _outline(shape, count)
     pointing = _pointing(shape, spec)
     if shape.kind == "U" and pointing in ("left", "right") and sides is not None and sides[0] != sides[1]:

@@ -59,13 +59,7 @@ def make(scene: Scene, noun: Noun, kind: str, resolve: Resolve) -> int:
             size = (len(alike[-1].blocks),)
         if not noun.color and any(scene.blocks[f.blocks[0]].color or f.stage < 0 for f in scene.figures):
             raise Unclear  # of the same colour as that one, or of another; of its blocks, or of others
-        usual = kind == "plus" or (kind in DRAWN and noun.color)
-        if usual and not size and scene.stock:
-            raise Unclear  # of those that there are
-        many = prod(size) if all(size) and size else FEWEST[kind] if usual else 0
-        if noun.limbs and not size and any(told := drawn(kind, noun.limbs, 0)[0]):
-            many = told[1] + 2 * (told[0] - 1) if kind == "U" else sum(told) - 1
-        figure.blocks = scene.new_blocks(many, noun.color)
+        figure.blocks = scene.new_blocks(_how_many(scene, noun, kind, size), noun.color)
     if noun.color and any(scene.blocks[n].color != noun.color for n in figure.blocks):
         raise Unclear
     _check_size(figure, size, noun)
@@ -81,6 +75,16 @@ def make(scene: Scene, noun: Noun, kind: str, resolve: Resolve) -> int:
     scene.figures.append(figure)
     scene.here = here  # "it" is the figure, not what it is made of
     return len(scene.figures) - 1
+
+
+def _how_many(scene: Scene, noun: Noun, kind: str, size: tuple[int, ...]) -> int:
+    """Of how many blocks a figure is by its size or its parts, or usually; 0 if this is not known."""
+    usual = kind == "plus" or (kind in DRAWN and noun.color)
+    if usual and not size and scene.stock:
+        raise Unclear  # of those that there are
+    if noun.limbs and not size and any(told := drawn(kind, noun.limbs, 0)[0]):
+        return told[1] + 2 * (told[0] - 1) if kind == "U" else sum(told) - 1
+    return prod(size) if all(size) and size else FEWEST[kind] if usual else 0
 
 
 def _draw(figure: Figure, noun: Noun) -> None:

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from rpg.language import lexicon
 from rpg.language.compose.items import RANK
-from rpg.language.compose.series import Series
+from rpg.language.compose.storeys import Storeys
 from rpg.language.compose.syntax import Both, Chain, Clause, Label, Listing, Noun, Phrase, Place, Predicate
 from rpg.language.compose.words import Ways
 
@@ -37,7 +37,7 @@ _AT_SIDE: dict[str, tuple[str, ...]] = {
 }
 
 
-class Contents(Series, ABC):
+class Contents(Storeys, ABC):
     """Reads what stands behind the noun for a figure."""
 
     @abstractmethod
@@ -80,6 +80,7 @@ class Contents(Series, ABC):
                 found.append((Noun(count=self.number(end), noun="block", many=True), end + 1))
         start = at + (self.text(at) in {",", ":"})
         found += [(chain, end) for chain, end in self.single(start) if isinstance(chain, Chain)]
+        found += self.storeys(start)
         found += self._listing(start)
         if start > at:
             found += self._heights(start)
@@ -124,6 +125,7 @@ class Contents(Series, ABC):
     def _listed(self, at: int) -> Ways[Phrase]:
         """ "one red on blue", "one of three red blocks", "green on yellow"."""
         found: Ways[Phrase] = [(chain, end) for chain, end in self.single(at) if isinstance(chain, Chain)]
+        found += self.storeys(at)
         start = at + (self.text(at) in {"a", "one"})
         start += self.text(start) == "all" and start > at
         if (color := lexicon.COLOR.get(self.text(start))) and start > at:
@@ -133,6 +135,7 @@ class Contents(Series, ABC):
             at = one - 1
             of = self.past_any(at + 1, "of", "with", "made of", "is", "has")
             found += [(chain, end) for chain, end in self.single(of or at + 1) if isinstance(chain, Chain)]
+            found += self.storeys(of or at + 1)
             if of:
                 found += [
                     (noun, end) for noun, end in self._noun(of) if isinstance(noun, Noun) and noun.noun == "block"
@@ -183,27 +186,6 @@ class Contents(Series, ABC):
 
     def _side(self, at: int) -> list[tuple[str, int]]:
         return [(side, end) for side, ways in _AT_SIDE.items() if (end := self.past_any(at, *ways))]
-
-    def in_turn(self, noun: Noun, at: int) -> Ways[Noun]:
-        """ "red, blue, red from bottom to top", "A, B and C from left to right": its blocks one after the other."""
-        parts: list[Phrase] = []
-        start = end = at
-        while start:
-            begin = start + (self.text(start) in {"a", "the"})
-            label, color = self.label(begin), lexicon.COLOR.get(self.text(begin), "")
-            if not (label or color) or self.items[begin].many:
-                break
-            parts.append(Label(label) if label else Noun(color=color))
-            end = begin + 1 + (self.text(begin + 1) in {"block", "one"})
-            start = self.past_any(end, "and", ", and", ",", ", then", "then", "and then")
-        end += self.text(end) == ","
-        if len(parts) < 2 or noun.noun not in {"tower", "row"}:
-            return []
-        first, last = ("bottom", "top") if noun.noun == "tower" else ("left", "right")
-        ahead = self.past_any(end, f"from {first} to {last}", f"from the {first} to the {last}", f"{first} to {last}")
-        back = self.past_any(end, f"from {last} to {first}", f"from the {last} to the {first}", f"{last} to {first}")
-        listed = Chain(tuple(parts[::-1] if ahead else parts))
-        return [(replace(noun, content=listed, made="of", order="listed"), ahead or back)] if ahead or back else []
 
     def told_apart(self, noun: Noun, at: int) -> Ways[Phrase]:
         """ "two patches, a yellow and a gray one", "three: black, orange and gray": of each colour one."""

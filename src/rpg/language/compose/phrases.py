@@ -199,7 +199,7 @@ class Phrases(Relatives):
         figures: Ways[Noun] = []
         for measured, end in starts:
             figures += [(measured, end), *self._filled(measured, end)]
-            if start := self.past_any(end, "of", ":", ",", ", of"):
+            if start := self.past_any(end, "of", ":", ",", ", of", ".", "?"):
                 figures += self.in_turn(measured, start)
         laid = [(figure, flat) for figure, end in figures if drawn and (flat := self.past_any(end, *_FLAT))]
         return [*figures, *laid]

@@ -16,6 +16,7 @@ from rpg.language.compose.pronouns import landmark
 from rpg.language.compose.relating import at_part, bare, between, in_region, place
 from rpg.language.compose.resting import on, tops_of
 from rpg.language.compose.scene import Fact, Impossible, Ref, Scene, Unclear
+from rpg.language.compose.storeys_told import told_in_turn
 from rpg.language.compose.subjects import check_said, check_subject, one_of_it, there_is, told_of_figures
 from rpg.language.compose.syntax import (
     STAY,
@@ -156,7 +157,10 @@ def _say(scene: Scene, clause: Clause) -> None:
     if isinstance(among := clause.predicates[0] if clause.predicates else None, Among):
         _narrow(scene, clause, among)
         return
-    clause = told_of_figures(scene, clause)
+    told = told_in_turn(scene, clause)
+    if told is None:
+        return
+    clause = told_of_figures(scene, told)
     subject = clause.subject
     if isinstance(subject, Chain):
         if clause.predicates:

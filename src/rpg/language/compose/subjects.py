@@ -39,6 +39,8 @@ def told_of_figures(scene: Scene, clause: Clause) -> Clause:
     if not isinstance(subject, Noun) or subject.content is not None or subject.of is not None:
         raise Unclear
     subject = _at_its_side(scene, subject)
+    if subject == Noun(det="another", noun="one") and scene.figures:
+        subject = replace(subject, noun=scene.figures[-1].kind)
     if subject.det == "other" and len(scene.figures) == 1 and subject.noun in {"", "one", *FIGURES}:
         subject = replace(subject, det="another", noun=scene.figures[0].kind)
     elif (
@@ -56,6 +58,8 @@ def _at_its_side(scene: Scene, noun: Noun) -> Noun:
     rank = noun.ranks[0] if len(noun.ranks) == 1 else ""
     if isinstance(where, Place) and where.of is None and not where.no:
         rank = {"front": "near", "behind": "far"}.get(where.relation, where.relation)
+    if noun.noun == "one" and scene.facing and rank not in scene.facing:
+        noun = replace(noun, noun=scene.figures[-1].kind)  # "the right one", behind "the left tower"
     if rank not in SIDED or noun.det != "the" or noun.noun not in FIGURES or len(scene.figures) > len(scene.facing):
         return noun
     return replace(noun, det="a", ranks=(rank,), that=())

@@ -69,9 +69,10 @@ class Both:
 
 @dataclass(frozen=True, slots=True)
 class Chain:
-    """ "blue over red": from top to bottom."""
+    """ "blue over red": from top to bottom. `back`: as the other one that was told, but the other way round."""
 
     parts: tuple[Phrase, ...]
+    back: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -64,7 +64,8 @@ class Verbs(Places):
 
     def _ordered(self, at: int) -> Ways[Phrase]:
         """ "red on green", "pink on blue and blue on pink": what is told of stacks."""
-        return [*((how, end) for how, end in self.single(at) if isinstance(how, Chain)), *self._listing(at)]
+        chains: Ways[Phrase] = [(how, end) for how, end in self.single(at) if isinstance(how, Chain)]
+        return [*chains, *self._listing(at), *self.storeys(at), *self.reversed_so(at)]
 
     @remembered
     def predicates(self, at: int) -> Ways[tuple[Predicate, ...]]:
@@ -153,6 +154,8 @@ class Verbs(Places):
             here = list(self.predicates(not_there))
             here += [((Looks(like),), stop) for like, stop in self.single(not_there)]
             here += [((Looks(like),), stop) for like, stop in self._listing(not_there)]
+            here += [((Looks(like),), stop) for like, stop in self.storeys(not_there)]
+            here += [((Looks(like),), stop) for like, stop in self.reversed_so(not_there)]
             here += self._neither(end)
             if self.text(end) in _PILED:
                 here += [((Made(TOWER), *said), stop) for said, stop in self.predicates(end + 1)]
@@ -175,6 +178,7 @@ class Verbs(Places):
                 found.append(((Bears(None),), nothing))
             if denied:
                 continue
+            found += [((Looks(like),), stop) for like, stop in self.storeys(end)]
             for what, stop in self.phrase(end):
                 found.append(((Bears(what),), stop + (self.text(stop) == "each")))
                 found += self._borne(what, stop)

@@ -66,7 +66,8 @@ def test_what_may_be_meant_otherwise_is_not_read(text: str) -> None:
     [
         ("Three pink ones in a row behind a tower of two white ones",
          "Pink block 1, pink block 2 and pink block 3 must be in a row White block 1 and white block 2 must form a "
-         "tower of exactly two Pink block 1, pink block 2 and pink block 3 must be behind the tower of white block 1 and "
+         "tower of exactly two Pink block 1, pink block 2 and pink block 3 must be behind the tower of white block "
+         "1 and "
          "white block 2."),
         ("The word GO on the table, with the word HI behind it.",
          "The G block and the O block must spell the word GO The H block and the I block must spell the word HI The G "

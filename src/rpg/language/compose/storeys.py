@@ -64,11 +64,11 @@ class Storeys(Series):
         told = [(replace(noun, content=listed, made="of", order="listed"), ahead or back)] if ahead or back else []
         return [*found, *told]
 
-    def storeys(self, at: int, kind: str = "tower") -> Ways[Phrase]:
+    def storeys(self, at: int, kind: str = "tower") -> Ways[Chain]:
         """ "red at the bottom and blue on top", "on the bottom is black, then comes white, and on top red"."""
         parts: list[Phrase] = []
         marks: dict[int, str] = {}
-        found: Ways[Phrase] = []
+        found: Ways[Chain] = []
         start = at
         while start:
             mark, begin = self._mark(kind, start)
@@ -86,7 +86,7 @@ class Storeys(Series):
             start = self.past_any(end, *_NEXT)
         return found
 
-    def reversed_so(self, at: int) -> Ways[Phrase]:
+    def reversed_so(self, at: int) -> Ways[Chain]:
         """ "just the other way around, blue at the bottom and red on top": as another one that was told."""
         if not (end := self.past_any(at, *_REVERSED)):
             return []

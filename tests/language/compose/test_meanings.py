@@ -8,11 +8,13 @@ from rpg.language.compose import meanings
 from rpg.language.spelling import read_words
 from rpg.language.tokens import tokenize
 
+_THERE = ("There is", "There are")
+
 
 def told(text: str) -> list[str]:
     """All that a text can mean, without the sentences of what there is."""
     words, _, _ = read_words(tokenize(text)[0])
-    return [" ".join(s for s in meaning.split(". ") if not s.startswith("There ")) for meaning in meanings(words)]
+    return [" ".join(s for s in meaning.split(". ") if not s.startswith(_THERE)) for meaning in meanings(words)]
 
 
 @pytest.mark.parametrize(

@@ -43,7 +43,7 @@ def chosen(scene: Scene, noun: Noun, resolve: Resolve) -> Ref:
 
 def _candidates(scene: Scene, noun: Noun) -> list[tuple[str, int]]:
     """What is told of that the phrase may stand for, were it not for what is so of it."""
-    if noun.ranks or noun.nth or noun.size or (noun.of is not None and noun.of != Pronoun("them")):
+    if noun.ranks or noun.nth or noun.size or noun.word or (noun.of is not None and noun.of != Pronoun("them")):
         raise Unclear
     if noun.of is not None:  # of those that were told of together
         return [("block", n) for n in scene.whole]

@@ -18,6 +18,7 @@ from rpg.language.compose.syntax import (
     Label,
     Noun,
     Phrase,
+    Place,
     Pronoun,
 )
 from rpg.language.compose.verbs import STAYS
@@ -62,6 +63,7 @@ _NOTHING_ON = tuple(
                                               "may lie", "can be", "shall be", "is to be", "is allowed", "goes")))
     for on in ("on", "on top of")
 )  # fmt: skip
+_GAP = tuple(f"{leave}a {gap} of" for leave in ("", "leave ", "keep ") for gap in ("gap", "space"))
 _BARE = frozenset({"empty", "free"})
 _ONE_OF_THEM = ("one of them", "one of which", "one of these", "one")
 _TO_BE = ("must be", "has to be", "needs to be", "should be", "shall be", "is to be", "is", "being")
@@ -136,6 +138,7 @@ class Reader(Commands):
             found += self._command(start)
             found += self.turned(start)
             found += self._fronted(start)
+            found += self._gap(start)
             if self.text(start) in {"spell", "write"}:
                 found += self._spelled(start + 1)
             found += self._statement(start)
@@ -187,6 +190,13 @@ class Reader(Commands):
             found += [(Clause(what, (STAY,), "put"), end) for what, end in some]  # "a" may be any of them
         return found
 
+    def _gap(self, at: int) -> Ways[Clause]:
+        """ "leave a gap of 6 cm between the red and the blue block"."""
+        start = self.past_any(at, *_GAP)
+        between = self.past_any(start + 1, "cm between") if self.number(start) else 0
+        apart = Place("apart", how="gap", cm=float(self.number(start)))
+        return [(Clause(two, (apart,), "put"), end) for two, end in self.phrase(between)] if start and between else []
+
     def _all_of_it(self, at: int) -> Ways[Clause]:
         """ "(white between red and blue,) all on the table": all that was told of, in which they are no others."""
         many = self.past_any(at, "all", "both", "all of them", "both of them")
@@ -205,7 +215,9 @@ class Reader(Commands):
         """Where the clause itself may begin."""
         starts, new = [at], [at]
         while new:
-            behind = {self.past_any(start, lead, f"{lead} ,") for start in new for lead in (*_LEADS, *_SEEN)} - {0}
+            behind = {
+                self.past_any(start, lead, f"{lead} ,", f"{lead} :") for start in new for lead in (*_LEADS, *_SEEN)
+            } - {0}
             behind = {start for start in behind if self.text(start) not in {"it", "them"}}
             new = sorted(behind - set(starts))
             starts += new

@@ -52,6 +52,8 @@ RELATIONS = sorted(
 
 
 _ALONE = frozenset({"tall", "short", "big", "small", "former", "latter", "last"})
+_TRAITS = {"round": "round", "circular": "round", "long": "long", "rectangular": "rectangular", "square": "square"}
+"""What is said of the shape of a patch."""
 _OF_TWO = ("of the two", "of these two", "of those two")
 _UTMOST = frozenset({"leftmost", "rightmost", "topmost", "highest", "lowest"})
 """What stands for a block without a noun."""
@@ -115,6 +117,9 @@ class Heads(Measures):
             nth = lexicon.ORDINAL[text]
             yield replace(noun, nth=nth, noun="one"), at + 1
             yield from self._head(at + 1, replace(noun, nth=nth))
+        if text in _TRAITS and not noun.word:
+            shaped = self._head(at + 1, replace(noun, word=_TRAITS[text]))
+            yield from ((patch, end) for patch, end in shaped if patch.noun == "patch")
         if spaced := self.past_any(at, "evenly spaced", "equally spaced"):
             yield from self._head(spaced, replace(noun, gaps=", evenly spaced"))
         if text in {"plain", "such", "more"}:
@@ -142,7 +147,8 @@ class Heads(Measures):
         end = behind + (word != item.value)
         if kind in {"bottom", "end"} and (stem := self.past_any(end, "of the stem", "of its stem")):
             yield replace(noun, noun="bottom"), stem  # of a T
-        yield replace(noun, noun=kind, many=noun.many or item.many, word="pair" if text == "pair" else word), end
+        word = "pair" if text == "pair" else noun.word if kind == "patch" else word
+        yield replace(noun, noun=kind, many=noun.many or item.many, word=word), end
         if kind == "block" and self.text(at + 1) in {"tower", "row"} and noun.count:
             size = (noun.count,)
             yield replace(noun, count=0, size=size, noun=self.text(at + 1), many=self.items[at + 1].many), at + 2

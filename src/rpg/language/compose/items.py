@@ -101,7 +101,19 @@ def items_of(tokens: Sequence[Token]) -> list[Item] | None:
                 found.append(Item(mark, token.raw))
         else:
             found.append(_word(token, word))
-    return None if _lone_digit(found) else found
+    return None if _lone_digit(found) else _without_at_all(found)
+
+
+def _without_at_all(items: list[Item]) -> list[Item]:
+    """ "Do not move it at all" says no more than without these words."""
+    texts = [item.text for item in items]
+    at = next((n for n in range(len(texts)) if texts[n : n + 2] == ["at", "all"]), -1)
+    if at < 0 or texts[at + 2 : at + 3] in (["time"], ["times"]) or not _DENIED & set(texts[:at]):
+        return items
+    return [*items[:at], *items[at + 2 :]]
+
+
+_DENIED = frozenset({"not", "no", "never", "nothing", "none", "without"})
 
 
 def _lone_digit(items: Sequence[Item]) -> bool:

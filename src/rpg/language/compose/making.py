@@ -45,6 +45,8 @@ def make(scene: Scene, noun: Noun, kind: str, resolve: Resolve) -> int:
         if noun.made == "from" and len(labels) > 2 and all(map(str.isdigit, labels)) and labels == sorted(labels):
             raise Unclear  # "a row from 1 to 5" is in this order, one "from the digits 1 to 5" in any
         figure.free = isinstance(content, Both) and any(isinstance(p, Noun) and p.count > 1 for p in content.parts)
+        if noun.order == "alternating":
+            figure.blocks, figure.alternates, figure.free = _in_turns(scene, figure), True, False
     elif noun.order == "alternating":
         figure.blocks = _alternating(scene, noun, size)
         figure.alternates = True
@@ -115,6 +117,20 @@ def _storey(scene: Scene, phrase: Phrase, resolve: Resolve, below: list[int]) ->
     if isinstance(phrase, Noun) and phrase.noun == "one" and phrase.det == "a" and phrase.color:
         phrase = replace(phrase, noun="block")
     return _one(scene, phrase, resolve)
+
+
+def _in_turns(scene: Scene, figure: Figure) -> list[int]:
+    """The blocks of a row or a tower, of two looks, in turn: as many of each, or one more of the first."""
+    lots: list[list[int]] = []
+    for n in figure.blocks:
+        like = next((lot for lot in lots if scene.alike([n, lot[0]])), None)
+        lots += [[n]] if like is None else []
+        if like is not None:
+            like.append(n)
+    lots.sort(key=len, reverse=True)
+    if len(lots) != 2 or len(lots[0]) - len(lots[1]) > 1 or figure.kind not in {"tower", "row", "line"}:
+        raise Unclear
+    return [lots[n % 2][n // 2] for n in range(len(figure.blocks))]
 
 
 def _alternating(scene: Scene, noun: Noun, size: tuple[int, ...]) -> list[int]:

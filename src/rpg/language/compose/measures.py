@@ -38,12 +38,18 @@ _BETWEEN_THEM = tuple(
     for the in ("", "the ", "all ", "any two ")
     for them in ("them", "block", "neighbor", "neighbors", "neighboring block", "letter", "digit", "each other")
 )
+_IN_TURN = tuple(
+    f"{comma}{turns}" for comma in ("", ", ")
+    for turns in ("alternating colors", "with alternating colors", "in alternating colors", "the colors alternating",
+                  "whose colors alternate", "with the colors alternating", "colors alternating", "in turn")
+)  # fmt: skip
 _UPWARD = frozenset({"from the bottom up", "from bottom to top", "from bottom up", "bottom to top"})
 _RUNNING = tuple(f"{run} {way}" for run in ("running", "going", "that runs", "which runs", "extending")
                  for way in ("from front to back", "front to back", "from back to front"))  # fmt: skip
 _WAYS: dict[str, tuple[str, ...]] = {
     "staircase": ("rising to", "going up to", "ascending to", "climbing to", "that rises to", "rising towards",
-                  "going up towards", "which rises to", "leading up to"),
+                  "that goes up to", "which goes up to", "that climbs to", "which climbs to", "that ascends to",
+                  "that leads up to", "going up towards", "which rises to", "leading up to"),
     "L": ("with its foot to", "with its foot pointing to", "with the foot to", "with the foot pointing to",
           "with the foot on", "with its foot on", "pointing"),
     "U": ("open to", "open at", "open on", "open towards", "opening to", "with its opening to", "which is open to",
@@ -153,6 +159,8 @@ class Measures(Limbs):
     def _alternating(self, noun: Noun, at: int) -> Iterator[tuple[Noun, int]]:
         """ "alternating red and blue": of so many blocks as were told without a colour."""
         start = self.past_any(at + (self.text(at) == ","), *_ALTERNATING)
+        if in_turn := self.past_any(at, *_IN_TURN):
+            yield replace(noun, order="alternating"), in_turn
         colors = [lexicon.COLOR.get(self.text(at), "") for at in (start, start + 2)] if start else []
         many, content = noun.size, noun.content
         if isinstance(content, Noun) and content == Noun(count=content.count, noun="block", many=True) and not many:

@@ -80,7 +80,8 @@ def _both(scene: Scene, phrase: Both) -> Ref:
         raise Unclear
     rest = [n for ref in refs for n in ref.rest]
     scene.here = [ref for ref in scene.here if ref not in refs]  # "it" is none of several that are told together
-    return scene.mention(Ref(refs[0].kind, ids, rest, fresh=all(ref.fresh for ref in refs)))
+    fresh = all(ref.fresh for ref in refs)
+    return scene.mention(Ref(refs[0].kind, ids, rest, each=phrase.no, fresh=fresh, no=phrase.no))
 
 
 def _one_of(scene: Scene, phrase: Both) -> Ref:
@@ -106,7 +107,9 @@ def _noun(scene: Scene, noun: Noun) -> Ref:
         noun = of_heights(noun)
     if noun.that:
         return chosen(scene, noun, resolve)
-    if noun.noun not in FIGURES | {"one", "sign"} and (noun.content is not None or noun.size or noun.word):
+    if noun.noun not in FIGURES | {"one", "sign"} and (
+        noun.content is not None or noun.size or (noun.word and noun.noun != "patch")
+    ):
         raise Unclear
     if noun.det == "other" and noun.noun not in PARTS:
         return others(scene, noun)
@@ -283,14 +286,18 @@ def _patch(scene: Scene, noun: Noun) -> Ref:
     if noun.ranks or noun.nth or noun.many or noun.count > 1 or noun.det not in {"a", "the", ""}:
         raise Unclear
     found = [n for n, patch in enumerate(scene.patches) if not noun.color or patch.color == noun.color]
+    if noun.word:
+        if any(not scene.patches[n].shape for n in found):
+            raise Unclear  # one of which no shape was said, or another one
+        found = [n for n in found if scene.patches[n].shape == noun.word]
     if len(found) > 1 or (found and noun.det == "a" and not noun.color):
         raise Unclear
     if noun.color and any(not patch.color for patch in scene.patches):
         raise Unclear  # the one of which no colour was said, or another one
     if not found:
-        if not noun.color and scene.patches:
+        if not (noun.color or noun.word) and scene.patches:
             raise Unclear
-        scene.patches.append(Patch(noun.color))
+        scene.patches.append(Patch(noun.color, noun.word))
         found = [len(scene.patches) - 1]
     return Ref("patch", found)
 

@@ -60,6 +60,10 @@ class Phrases(Relatives):
                 if isinstance(pair, Both) and len(pair.parts) == 2:
                     again = any(isinstance(part, Noun) and part.det == "both" for part in pair.parts)
                     found += [] if again else [(pair, end)]  # "both orange and both white blocks" are four
+        for first, end in self.single(at + 1) if self.text(at) == "neither" else ():
+            nor = self.past_any(end, "nor", ", nor")
+            both = [(_headed((first, second)), stop) for second, stop in self.single(nor)] if nor else []
+            found += [(Both(parts, no=True), stop) for parts, stop in both]
         if either := self.past_any(at, "either", "either one of", "one of"):
             found += [way for way in self.phrase(either) if isinstance(way[0], Both) and way[0].either]
         return found

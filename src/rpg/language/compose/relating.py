@@ -48,7 +48,7 @@ def bare(scene: Scene, ref: Ref, said: Place) -> None:
         if said.cm and ref.kind == "figure" and any(scene.figures[n].kind != "tower" for n in ref.ids):
             raise Unclear  # from which to which of their blocks?
         if said.cm:
-            word = f"{_BOUND.get(said.bound, '')}{said.cm:g} cm from"
+            word = f"gap of {said.cm:g} cm" if said.how == "gap" else f"{_BOUND.get(said.bound, '')}{said.cm:g} cm from"
         scene.facts += [
             Fact(Ref(ref.kind, [a]), word, Ref(ref.kind, [b]), no=said.no) for a, b in combinations(ref.ids, 2)
         ]

@@ -41,7 +41,10 @@ class Block:
 
 @dataclass(slots=True)
 class Patch:
+    """A patch; no colour, no shape: nothing is said of it."""
+
     color: str = ""
+    shape: str = ""
 
 
 @dataclass(slots=True)

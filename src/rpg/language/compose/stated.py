@@ -21,6 +21,7 @@ _FRONTED = (",", "is", "are", "goes", "go", "stands", "stand", "there is", "ther
             "lies", ", there is", ", there are", "must be", "should be", "place", "put", ", put", ", place", "i want",
             "comes", "build", ", build")  # fmt: skip
 
+_ASKING = frozenset({"could", "can", "should", "must", "shall", "will", "may"})
 STOPS = frozenset({".", "!", "?", ",", ";", ":"})
 
 
@@ -58,6 +59,9 @@ class Stated(Becoming):
 
     def _statement(self, at: int) -> Ways[Clause]:
         found: Ways[Clause] = []
+        asked = self.phrase(at + 1) if self.text(at) in _ASKING else []
+        passive = [(what, way) for what, stop in asked if self.text(stop) == "be" for way in self.verbs(stop)]
+        found += [(Clause(what, said, "must"), end) for what, (said, end) in passive]  # "could it be put there?"
         for what, stop in self.phrase(at):
             if built := self.past_any(stop, *BUILT):
                 found.append((Clause(what, (), "build"), built))

@@ -17,7 +17,7 @@ from rpg.language.compose.relating import at_part, bare, between, in_region, pla
 from rpg.language.compose.resting import on, tops_of
 from rpg.language.compose.scene import Fact, Impossible, Ref, Scene, Unclear
 from rpg.language.compose.storeys_told import told_in_turn
-from rpg.language.compose.subjects import check_said, check_subject, one_of_it, there_is, told_of_figures
+from rpg.language.compose.subjects import about_a_block, check_said, check_subject, one_of_it, there_is, told_of_figures
 from rpg.language.compose.syntax import (
     STAY,
     TOWER,
@@ -160,7 +160,7 @@ def _say(scene: Scene, clause: Clause) -> None:
     told = told_in_turn(scene, clause)
     if told is None:
         return
-    clause = told_of_figures(scene, told)
+    clause = about_a_block(scene, told_of_figures(scene, told))
     subject = clause.subject
     if isinstance(subject, Chain):
         if clause.predicates:

@@ -52,6 +52,19 @@ def told_of_figures(scene: Scene, clause: Clause) -> Clause:
     return replace(clause, subject=replace(subject, content=said[0].like, made="of"), predicates=clause.predicates[1:])
 
 
+def about_a_block(scene: Scene, clause: Clause) -> Clause:
+    """ "(Put red on the mat,) the white one must be off it": what is put somewhere is no mat."""
+    subject = clause.subject
+    placed = bool(clause.predicates) and all(isinstance(said, Place) and said.of for said in clause.predicates)
+    if not isinstance(subject, Noun) or subject != Noun(det="the", color=subject.color, noun="one") or not placed:
+        return clause
+    known = any(block.color == subject.color for block in scene.blocks)
+    told = [ref.kind for ref in scene.before]
+    if known or not subject.color or set(told) != {"block", "patch"} or scene.figures:
+        return clause
+    return replace(clause, subject=replace(subject, noun="block"))
+
+
 def _at_its_side(scene: Scene, noun: Noun) -> Noun:
     """ "The left tower", "the tower on the right", where no others were told of: it is told of for the first time."""
     where = noun.that[0] if len(noun.that) == 1 else None

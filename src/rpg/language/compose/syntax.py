@@ -61,10 +61,11 @@ class Pronoun:
 
 @dataclass(frozen=True, slots=True)
 class Both:
-    """Several phrases joined by "and"; `either`: by "or"."""
+    """Several phrases joined by "and"; `either`: by "or"; `no`: by "neither ... nor"."""
 
     parts: tuple[Phrase, ...]
     either: bool = False
+    no: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,7 +10,7 @@ from rpg.language import lexicon
 from rpg.language.compose.facing import check_facing
 from rpg.language.compose.lined import FROM_LEFT, IN_A_ROW, IN_ORDER
 from rpg.language.compose.places_of import DRAWN, columns, steps
-from rpg.language.compose.scene import Block, Fact, Figure, Ref, Scene, Unclear
+from rpg.language.compose.scene import Block, Fact, Figure, Patch, Ref, Scene, Unclear
 
 _PALETTE = (*lexicon.RAINBOW, "brown", "black", "gray", "white")
 _MOST = 30
@@ -114,10 +114,14 @@ def _look(block: Block) -> str:
     return " ".join(filter(None, (block.size, block.color, block.label)))
 
 
+def _patch_name(patch: Patch) -> str:
+    return f"{patch.shape} {patch.color}".strip()
+
+
 def _assets(scene: Scene, told: set[int]) -> str:
     spare = [block for n, block in enumerate(scene.blocks) if n in scene.spare - told]
     said = [f"There {_are(block for n, block in enumerate(scene.blocks) if n not in scene.spare - told)}."]
-    said += [f"There is {article(patch.color)} {patch.color} patch." for patch in scene.patches]
+    said += [f"There is {article(name := _patch_name(patch))} {name} patch." for patch in scene.patches]
     return " ".join([*said, *([f"There {_are(spare, 'also ')} as distractors."] if spare else [])])
 
 
@@ -151,7 +155,7 @@ def _operand(scene: Scene, ref: Ref) -> str:
         names = _names(scene, figure.blocks)
         return f"the tower of {names}" if figure.kind == "tower" else names
     if ref.kind == "patch":
-        return f"the {scene.patches[ref.ids[0]].color} patch"
+        return f"the {_patch_name(scene.patches[ref.ids[0]])} patch"
     return _names(scene, ref.ids)
 
 
@@ -185,6 +189,8 @@ def _fact(scene: Scene, fact: Fact) -> str:
     b = _operand(scene, tower or fact.b)
     if fact.said == "touch":
         return _sentence(f"{a} {must} touch {b}")
+    if fact.said.startswith("gap"):
+        return f"There must be a {fact.said} between {a} and {b}."
     if fact.said == "apart":
         return _sentence(f"{a} {must} be apart from {b}")
     if fact.said == "between":

@@ -43,6 +43,7 @@ def test_it_is_read(text: str, meaning: str) -> None:
         "Four pink and two white blocks in a row with alternating colors.",  # they cannot take turns
         "Put a pink block on the green mat and a white one on the long mat.",  # that mat, or another one
         "The pink block must not move at all times.",
+        "A tower of four whose colors alternate, and a pink block.",  # which colours?
     ],
 )
 def test_what_may_be_meant_otherwise_is_not_read(text: str) -> None:

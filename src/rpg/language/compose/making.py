@@ -135,7 +135,7 @@ def _in_turns(scene: Scene, figure: Figure) -> list[int]:
 
 def _alternating(scene: Scene, noun: Noun, size: tuple[int, ...]) -> list[int]:
     """Blocks of two colours in turn: as many of each, or one more of the first."""
-    if len(size) != 1 or noun.noun not in {"tower", "row", "line"} or size[0] < 2:
+    if len(size) != 1 or not noun.word or noun.noun not in {"tower", "row", "line"} or size[0] < 2:
         raise Unclear
     colors = noun.word.split()
     lots = [iter(scene.new_blocks((size[0] + 1 - n) // 2, color)) for n, color in enumerate(colors)]

@@ -49,6 +49,7 @@ _IN_OTHER_WORDS: tuple[tuple[str, str], ...] = (
     (rf"{_SO}(?:the |each |every )?gaps? between (?P<of>{_OF_WHAT}) {_IS} {_WIDE}", _GAP),
     (rf"(?:(?:a|one) )?gaps? between (?P<of>{_OF_WHAT})(?: (?:that|which) (?:is|are))? as wide as (?:one|a) {_BLOCK}",
      _GAP.removeprefix("with ")),
+    (rf"all (?:of them |of )?(?:the |in the |of the )?same colou?r(?: ,| :)? (?P<of>{_COLOR})(?= [.,;]|$)", "all {of}"),
     ("(?<= )be able to (?=read|see)", ""),
     (r"(?<![^ ])(?P<of>is|are|do|does|should|must)'nt", "{of} not"),
     (r"(?<![^ ])(?P<of>is|are|do|does|should|must)nt(?![^ ])", "{of} not"),

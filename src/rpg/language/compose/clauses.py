@@ -10,6 +10,7 @@ from rpg.language.compose.commands import Commands, says
 from rpg.language.compose.series import counted
 from rpg.language.compose.stated import STOPS
 from rpg.language.compose.syntax import (
+    NOTHING,
     STAY,
     Among,
     Bears,
@@ -64,6 +65,9 @@ _NOTHING_ON = tuple(
     for on in ("on", "on top of")
 )  # fmt: skip
 _GAP = tuple(f"{leave}a {gap} of" for leave in ("", "leave ", "keep ") for gap in ("gap", "space"))
+_NOT_ANYTHING = tuple(f"there {must} not {be}anything" for must, be in (
+    ("should", "be "), ("must", "be "), ("may", "be "), ("can", "be "), ("is", ""), ("shall", "be ")
+))  # fmt: skip
 _BARE = frozenset({"empty", "free"})
 _ONE_OF_THEM = ("one of them", "one of which", "one of these", "one")
 _TO_BE = ("must be", "has to be", "needs to be", "should be", "shall be", "is to be", "is", "being")
@@ -151,6 +155,8 @@ class Reader(Commands):
                 if one.predicates and one.other is None and (start := self.past_any(end, "or", ", or")):
                     found += [(replace(one, other=other), stop) for other, stop in self.clause(start) if says(other)]
         found += self._all_of_it(at)
+        if end := self.past_any(at, *_NOT_ANYTHING):
+            found += [(Clause(NOTHING, (place,), "must"), stop) for place, stop in self.place(end)]
         if end := self.past_any(at, *_NOTHING_ON):
             found += [(Clause(what, (Bears(None),)), stop) for what, stop in self.phrase(end)]
         late = [(said, start) for said, end in found if (start := self.past_any(end, *_START)) and said.predicates]

@@ -12,6 +12,7 @@ from rpg.language.compose.limbs import LETTERS
 from rpg.language.compose.relatives import Relatives
 from rpg.language.compose.some_of import labelled
 from rpg.language.compose.syntax import (
+    NOTHING,
     Both,
     Chain,
     Listing,
@@ -33,6 +34,7 @@ _DETS = {
 _STANDS = ("is", "comes", "stands")
 _FLAT = ("on the table", "lying on the table", "flat on the table", "lying flat on the table")
 """Letters of blocks lie there anyway."""
+_NOTHING = ("nothing", "nothing else", "none", "none other", "no other block", "no block", "not a block")
 _THAT_STANDS = ("that is", "which is", "that stands", "which stands")
 
 
@@ -93,6 +95,9 @@ class Phrases(Relatives):
     @remembered
     def simple(self, at: int) -> Ways[Phrase]:
         found: Ways[Phrase] = list(self._labels(at))
+        if nothing := self.past_any(at, *_NOTHING):
+            other = self.text(nothing - 1) in {"else", "other"} or self.text(at + 1) == "other"
+            found.append((replace(NOTHING, word="else" if other else ""), nothing))
         if one := self.past_any(at, "that one", "this one"):
             found.append((Pronoun("that one"), one))
         if two := self.past_any(at, "the two", "those two", "these two"):

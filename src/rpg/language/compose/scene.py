@@ -130,7 +130,7 @@ class Scene:
     tower" and "the right one". `instead`: what
     "or" tells besides what was taken; `spare`: of these some were singled out, so that nothing need be said of the
     others. `script`: which of several ways to have it are taken, one after the other; `choices`: of how many each was
-    one.
+    one. `clear`: relations to things in which no block is, but for those that were told to be where "else" is said.
     """
 
     blocks: list[Block] = field(default_factory=list)
@@ -159,6 +159,7 @@ class Scene:
     spare: set[int] = field(default_factory=set)
     script: tuple[int, ...] = ()
     choices: list[int] = field(default_factory=list)
+    clear: list[tuple[str, Ref, bool, int]] = field(default_factory=list)
 
     def choose(self, ways: int) -> int:
         """Which of so many ways to have it is taken here: the first one, but for what is scripted."""

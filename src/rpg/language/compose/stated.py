@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rpg.language import lexicon
 from rpg.language.compose.becoming import Becoming
-from rpg.language.compose.syntax import Both, Clause, Looks, Made, Noun, Phrase, Predicate
+from rpg.language.compose.syntax import Both, Clause, Label, Looks, Made, Noun, Phrase, Predicate
 from rpg.language.compose.verbs import AUX, BUILT
 from rpg.language.compose.words import Ways
 
@@ -55,6 +55,8 @@ class Stated(Becoming):
                 found += [
                     (Clause(what, (place,)), stop) for what, stop in self.single(start) if (what, stop) not in listed
                 ]
+                if place.relation == "on" and isinstance(place.of, Noun) and place.of.noun == "patch" and start > end:
+                    found += [(Clause(both, (place,)), stop) for both, stop in self.phrase(start) if _blocks(both)]
         return found
 
     def _statement(self, at: int) -> Ways[Clause]:
@@ -98,8 +100,9 @@ class Stated(Becoming):
         looks: Ways[tuple[Predicate, ...]] = [((Looks(how),), end) for how, end in self._ordered(start)]
         if self.text(at) == ",":
             looks += [((place,), end) for place, end in self.place(at + 1) if place.relation in _BEHIND_COMMA]
-        if color := lexicon.COLOR.get(self.text(start)):
-            looks.append(((Looks(Noun(color=color)),), start + 1))
+        hue = start + (self.text(start) == "all")
+        if color := lexicon.COLOR.get(self.text(hue)):
+            looks.append(((Looks(Noun(color=color)),), hue + 1))
         if end := self.past_any(start, *_LINED):
             looks.append(((Made(Noun(det="a", noun="row", ranks=("left",))),), end))
         sorted_so = self.ordered(Noun(det="a", noun="row"), start)
@@ -110,3 +113,13 @@ class Stated(Becoming):
             looks.append(((Made(LINE),), end))
         verbs = self.verbs(start) if start > at or self.text(start).endswith("ing") else []
         return [*looks, *self.predicates(start), *verbs]
+
+
+def _blocks(phrase: Phrase) -> bool:
+    """Whether this is "a red block and two blue ones", and no figure."""
+    parts = phrase.parts if isinstance(phrase, Both) and not phrase.either else ()
+    return bool(parts) and all(
+        isinstance(part, Label)
+        or (isinstance(part, Noun) and part.noun in {"block", "one"} and not (part.of or part.content or part.that))
+        for part in parts
+    )

@@ -10,6 +10,7 @@ from itertools import pairwise, permutations
 
 from rpg.language.compose.forming import forms
 from rpg.language.compose.items import PARTS
+from rpg.language.compose.kept_clear import kept_clear
 from rpg.language.compose.nouns import resolve
 from rpg.language.compose.one_each import each_of_a_new_one, one_by_one, one_for_each
 from rpg.language.compose.pronouns import landmark
@@ -158,7 +159,7 @@ def _say(scene: Scene, clause: Clause) -> None:
         _narrow(scene, clause, among)
         return
     told = told_in_turn(scene, clause)
-    if told is None:
+    if told is None or kept_clear(scene, told):
         return
     clause = about_a_block(scene, told_of_figures(scene, told))
     subject = clause.subject
@@ -376,6 +377,7 @@ def _bears(scene: Scene, ref: Ref, said: Bears) -> None:
         if own and (len(ref.ids) > 1 or ref.bound):
             raise Unclear
         first = resolve(scene, said.what)
+        scene.around = (said.place.relation, ref, True) if own else scene.around
         place(scene, first, ref if own else resolve(scene, said.place.of), said.place)
         return
     tops = tops_of(scene, ref)

@@ -171,6 +171,7 @@ class Among:
 ALL = frozenset({"each", "all", "both"})
 """What is said of every one of several."""
 TOWER = Noun(det="a", noun="tower")
+NOTHING = Noun(det="no", noun="block")
 STAY = Place("stay")
 """What is said of things that stay where they are."""
 Predicate = Among | Shares | NotBoth | Place | Made | Looks | Bears | Holds | Holding | Either

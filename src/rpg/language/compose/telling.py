@@ -8,6 +8,7 @@ from collections.abc import Iterable, Sequence
 from rpg.blocks.nouns import article, join, number
 from rpg.language import lexicon
 from rpg.language.compose.facing import check_facing
+from rpg.language.compose.kept_clear import keep_clear
 from rpg.language.compose.lined import FROM_LEFT, IN_A_ROW, IN_ORDER
 from rpg.language.compose.places_of import DRAWN, columns, steps
 from rpg.language.compose.scene import Block, Fact, Figure, Patch, Ref, Scene, Unclear
@@ -50,6 +51,7 @@ def tell(scene: Scene, told_of: set[int]) -> list[str]:
         raise Unclear
     check_facing(scene)
     _color_in(scene)
+    keep_clear(scene)
     figures = [figure for figure in scene.figures if not figure.implied]
     last = max((*(figure.stage for figure in figures), *(fact.stage for fact in scene.facts)), default=0)
     told = {stage: _of_stage(scene, figures, stage) for stage in range(-1, last + 1)}

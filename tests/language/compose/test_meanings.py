@@ -86,7 +86,6 @@ def test_told_again(text: str, meaning: str) -> None:
         "Put a row of four green blocks on the mat; on each of its ends is a pink block.",  # on top, or in line
         "Red is not on the patch and next to blue.",  # what else is denied
         "Put red on the blue mat and green on orange.",  # a block or a mat
-        "There is a tower of four pink blocks. Take it apart so that every block ends up on the table.",
         "At the start there is a tower of three red blocks. A blue block has to go on top of the tower.",
         "Two blue blocks and a white one stand in a row. Put it on the mat.",  # what "it" is
         "A 2x3 grid: its far row is green, its near one orange.",  # "its" is no block

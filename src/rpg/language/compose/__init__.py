@@ -49,10 +49,10 @@ def _told(items: Sequence[Item], *, ahead: bool = False) -> dict[str, list[str]]
     found: dict[str, list[str]] = {}
     try:
         for way, scenes in readings(Reader(items)) if items else ():
-            if ahead and way[0].mood not in {"there", "seen", "start"} and not _defines(way[0]):
+            if ahead and way[0].mood not in {"there", "seen", "start", "lies"} and not _defines(way[0]):
                 continue
             with suppress(Unclear):
-                check_in_time(way)
+                check_in_time(way, scenes[0].begun)
                 text, ways = tell_all(scenes)
                 found[text] = ways
     except TooMany:

@@ -50,6 +50,17 @@ _THEN = (
     ". afterwards", ". next", ", and after that", ", next",
 )  # fmt: skip
 _START = ("at the start", "at the beginning", "initially", "to begin with", "in the beginning", "at start", "at first")
+_NOW = (
+    "now", "right now", "now ,", "right now ,", "currently", "already", "at the moment", "before :", "was :",
+    "initial state :", "at first ,", "start state :", "initial condition :", "first state :", "setup :",
+)  # fmt: skip
+_END = tuple(f"{end}{mark}" for end, marks in (
+    ("at the end", ("", " ,")), ("in the end", ("", " ,")), ("afterwards", ("", " ,", " :")), ("finally", ("", " ,")),
+    ("end", (" :",)), ("goal", (" :",)), ("after", (" :",)), ("goal state", (" :",)), ("final state", (" :",)),
+    ("last state", (" :",)), ("goal condition", (" :",)), ("should be", (" :",)), ("now", ("",)),
+) for mark in marks)  # fmt: skip
+_TOLD = frozenset({"", "so", "there", "lies", "start"})
+"""What may be so now."""
 _SEPARATORS = (
     ", and then there is", ", and there is", ", and", ", but", ", while", ", with", ", plus", ", whereas", ", so that",
     ", of which", ", except that", "except that", ", such that", "such that", "in such a way that", ", where", "where",
@@ -125,6 +136,11 @@ class Reader(Commands):
             found += [(counted(said, side), end) for said, end in self.clause(begin)]
         if begin := self.past_any(at, *_START, *(f"{start} ," for start in _START), "start :"):
             found += [(replace(said, mood="start"), end) for said, end in self.clause(begin)]
+        if begin := self.past_any(at, *_NOW):
+            found += [(replace(said, mood="start"), end) for said, end in self.clause(begin) if said.mood in _TOLD]
+        if begin := self.past_any(at, *_END):
+            ends = [(said, end) for said, end in self.clause(begin) if said.mood in {"so", ""} and said.predicates]
+            found += [(replace(said, mood="end"), end) for said, end in ends]
         if first := self.past_any(at, "first", "first ,", "first of all ,"):
             found += [(replace(said, first=True), end) for said, end in self.clause(first)]
         if self.text(at) == "only":
@@ -141,6 +157,7 @@ class Reader(Commands):
             mood = "there" if there else "seen" if start > at and self.past_any(at, *_SEEN) == start else ""
             found += self._command(start)
             found += self.turned(start)
+            found += self.changed(start)
             found += self._fronted(start)
             found += self._gap(start)
             if self.text(start) in {"spell", "write"}:
@@ -149,6 +166,7 @@ class Reader(Commands):
             found += [(Clause(what, said, mood), end) for what, said, end in self._existing(start)]
         found += self._left_alone(at)
         found += self.begun(at)
+        found += self.lying(at)
         found += self._narrowed(at)
         if either := self.past_any(at, "either"):
             for one, end in self.clause(either):
@@ -160,6 +178,8 @@ class Reader(Commands):
         if end := self.past_any(at, *_NOTHING_ON):
             found += [(Clause(what, (Bears(None),)), stop) for what, stop in self.phrase(end)]
         late = [(said, start) for said, end in found if (start := self.past_any(end, *_START)) and said.predicates]
+        late += [(said, start) for said, end in found if said.mood in {"so", "lies"}
+                 and (start := self.past_any(end, *_NOW, *_START))]  # fmt: skip
         found += [(replace(said, mood="start"), end) for said, end in late]
         return found
 

@@ -11,14 +11,13 @@ from rpg.language.compose.syntax import (
     TOWER,
     Bears,
     Clause,
-    Label,
     Made,
     Noun,
-    Phrase,
     Place,
     Predicate,
     Pronoun,
     is_figure,
+    several,
 )
 from rpg.language.compose.verbs import opposite_of
 from rpg.language.compose.words import Ways
@@ -138,11 +137,6 @@ class Commands(Stated):
 def says(clause: Clause) -> bool:
     """Whether a clause says one thing, and by itself."""
     return bool(clause.predicates) and clause.other is None and clause.aside is None
-
-
-def several(phrase: Phrase) -> bool:
-    """Whether more than one block is told."""
-    return not isinstance(phrase, Label | Noun) or (isinstance(phrase, Noun) and (phrase.many or phrase.count > 1))
 
 
 def _lined(said: tuple[Predicate, ...]) -> bool:

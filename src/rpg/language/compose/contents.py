@@ -187,6 +187,26 @@ class Contents(Storeys, ABC):
     def _side(self, at: int) -> list[tuple[str, int]]:
         return [(side, end) for side, ways in _AT_SIDE.items() if (end := self.past_any(at, *ways))]
 
+    def parts_in_turn(self, at: int) -> tuple[list[Phrase], int, bool]:
+        """ "red, white, black", "red then green then blue on top", "1 2 3 4": blocks one after the other, where they
+        stop, and whether the last one is said to be on top."""
+        parts: list[Phrase] = []
+        start = end = at
+        while True:
+            begin = start + (self.text(start) in {"a", "the"} and not self.items[start].raw.isupper())
+            label, color = self.label(begin), lexicon.COLOR.get(self.text(begin), "")
+            if not (label or color) or self.items[begin].many:
+                break
+            parts.append(Label(label) if label else Noun(color=color))
+            end = begin + 1 + (self.text(begin + 1) in {"block", "one"})
+            start = self.past_any(end, "and", ", and", ",", ", then", "then", "and then", ", and then")
+            if not start:
+                if not (label and self.label(end)):
+                    break
+                start = end
+        top = self.past_any(end, "on top", "at the top") if parts else 0
+        return parts, top or end, bool(top)
+
     def told_apart(self, noun: Noun, at: int) -> Ways[Phrase]:
         """ "two patches, a yellow and a gray one", "three: black, orange and gray": of each colour one."""
         if self.text(at) not in {",", ":"} or noun.count < 2 or noun.color or noun.noun not in {"", "block", "patch"}:

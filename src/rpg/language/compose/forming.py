@@ -10,6 +10,9 @@ from rpg.language.compose.nouns import resolve
 from rpg.language.compose.scene import Fact, Ref, Scene, Unclear
 from rpg.language.compose.syntax import TOWER, Noun, Phrase, Pronoun
 
+_IN_ORDER = frozenset({("left",), ("right",), ("near",), ("far",)})
+"""From which side on they are in the order in which they are told."""
+
 
 def forms(scene: Scene, ref: Ref, phrase: Phrase) -> None:
     """These form a figure."""
@@ -33,15 +36,17 @@ def forms(scene: Scene, ref: Ref, phrase: Phrase) -> None:
         raise Unclear
     if ref.kind != "block" or ref.each or (phrase.noun == "column" and phrase.way):
         raise Unclear  # in this order, or in any
-    in_order = phrase.ranks == ("left",) and not scene.alike(ref.ids)
+    in_order = phrase.ranks in _IN_ORDER and not scene.alike(ref.ids)
     if in_order and len({scene.blocks[n].look for n in ref.ids}) < len(ref.ids):
         raise Unclear
+    back = phrase.ranks in {("right",), ("far",)}
     made = replace(phrase, det="a", ranks=(), content=Pronoun("these blocks"))
     here, scene.here = scene.here, [Ref("block", ref.ids)]
     subject, scene.subject = scene.subject, None
     figure = scene.figures[resolve(scene, made).ids[0]]
     scene.here, scene.subject = [*here, *scene.here[1:]], subject
     if in_order:
-        figure.told = figure.sided = True
+        figure.told, figure.sided = True, figure.kind != "column"
+        figure.blocks = figure.blocks[::-1] if back else figure.blocks
     if side:
         face(scene, side, scene.figures.index(figure))

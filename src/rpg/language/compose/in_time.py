@@ -3,20 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import pairwise
 
 from rpg.language.compose.scene import Unclear
 from rpg.language.compose.syntax import Chain, Clause, Looks, Made, Noun, Place, Predicate, Pronoun, is_figure
 
 
-def check_in_time(way: Sequence[Clause]) -> None:
+def check_in_time(way: Sequence[Clause], begun: int = 0) -> None:
     """What is told to be so, or to be there, beside what is to be done may be so at the start alone.
 
-    Raises Unclear where this is not clear, and where a clause may go on what is said in the one ahead of it.
+    The clauses that are `begun` tell how it starts. Raises Unclear where this is not clear, and where a clause may go
+    on what is said in the one ahead of it.
     """
+    way = _begun(way, begun)
+    if any(clause.mood == "lies" for clause in way):
+        raise Unclear
     if any(clause.first for clause in way) and not any(clause.later for clause in way):
         raise Unclear
-    asks = [n for n, clause in enumerate(way) if clause.mood == "put" or clause.later or _builds_of(clause)]
+    asks = [n for n, clause in enumerate(way) if clause.mood in {"put", "change"} or clause.later or _builds_of(clause)]
     last = asks[-1] if asks else 0
     pictured = _is_pictured(way)
     for n, clause in enumerate(way):
@@ -42,6 +47,11 @@ def _is_pictured(way: Sequence[Clause]) -> bool:
     """ "I see a red block on a blue one. The green one is behind the red one": nothing is asked for but what is so."""
     moods = {clause.mood for clause in way}
     return moods <= {"there", "seen", "so"} or ("seen" in moods and moods <= {"there", "seen", "so", "must", ""})
+
+
+def _begun(way: Sequence[Clause], first: int) -> list[Clause]:
+    """What is told ahead of what changes it is so at the start."""
+    return [replace(clause, mood="start") if n < first else clause for n, clause in enumerate(way)]
 
 
 def _check_there(clause: Clause, *, told: bool, alone: bool, ahead: bool) -> None:

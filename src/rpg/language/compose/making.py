@@ -101,10 +101,10 @@ def _told_in_turn(scene: Scene, figure: Figure, noun: Noun, content: Chain, reso
     """A tower from top to bottom, or a row from the right, of which the blocks are listed."""
     for of in reversed(content.parts):
         figure.blocks.append(_storey(scene, of, resolve, figure.blocks))
-    upright = figure.kind == "tower" or (noun.order == "listed" and figure.kind == "row")
+    upright = figure.kind == "tower" or (noun.order == "listed" and figure.kind in {"row", "line", "column"})
     if not upright or noun.made.startswith("from") or len(set(figure.blocks)) < len(figure.blocks):
         raise Unclear
-    figure.told, figure.sided = True, figure.kind == "row"
+    figure.told, figure.sided = True, figure.kind in {"row", "line"}
 
 
 def _storey(scene: Scene, phrase: Phrase, resolve: Resolve, below: list[int]) -> int:

@@ -27,3 +27,5 @@ def as_at_start(scene: Scene, figure: Figure, *, back: bool) -> None:
         raise Unclear
     figure.blocks = [start.blocks[at] for at in (there[::-1] if back else there)]
     figure.told, figure.sided = True, start.sided
+    if figure.kind == "word":
+        figure.word = "".join(scene.blocks[n].label for n in figure.blocks)

@@ -66,6 +66,8 @@ def _spared(scene: Scene) -> list[int]:
 
 def _left_there(scene: Scene) -> list[int]:
     """ "(Move the top block off,) the other two": those of what is there at the start that this is taken from."""
+    if scene.changed:
+        return list(scene.changed[-1].kept)
     start = [figure for figure in scene.figures if figure.stage < 0]
     if len(start) != 1 or len(scene.figures) > 1 or scene.subject is None or scene.subject[0] != "block":
         return []

@@ -15,7 +15,8 @@ _READ = frozenset({"word", "equation"})
 
 def has_first(figure: Figure) -> bool:
     """Whether its blocks are read one after the other, so that one is the first and one the last."""
-    return figure.kind in _READ or figure.in_order
+    listed = figure.told and figure.sided and figure.kind in {"row", "line"}
+    return figure.kind in _READ or figure.in_order or listed
 
 
 def part(scene: Scene, noun: Noun, resolve: Resolve) -> Ref:
@@ -32,7 +33,7 @@ def part(scene: Scene, noun: Noun, resolve: Resolve) -> Ref:
         if noun.many and not noun.count and said == ("middle",) and not figure.size:
             count = len(figure.blocks) - 2  # all but the outer ones
         at = places(figure, said, noun.nth, count)
-        if scene.may_change(figure) and scene.subject is not None:
+        if scene.may_change(figure) and scene.subject is not None and figure.kind not in {"row", "line"}:
             raise Unclear  # what is put there is on the whole figure, or on what is left of it
         if noun.det == "other":
             if scene.place is None or scene.place[0] is not figure:

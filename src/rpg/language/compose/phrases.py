@@ -185,6 +185,10 @@ class Phrases(Relatives):
             found.append((replace(noun, color=color), at + 2))
         if noun.noun in FIGURES or (noun.noun == "one" and noun.det in {"a", "another"}):
             figures = self._sized_and_filled(noun, at)
+            if noun.noun in {"row", "line"} and not noun.many and noun.det:
+                parts, end, _ = self.parts_in_turn(at)
+                listed = Chain(tuple(parts[::-1]))
+                found += [(replace(noun, content=listed, made="of", order="listed"), end)] if len(parts) > 2 else []
             found += [*figures[1:], *(way for figure, end in figures for way in self.ordered(figure, end))]
             plain = [(one, end) for one, end in figures if one.content is None or counted(one.content)]
             found += [way for figure, end in plain for way in self.one_by_one(figure, end)]

@@ -164,6 +164,8 @@ def _in_figure(scene: Scene, ref: Ref, name: str, *, no: bool, inside: bool) -> 
         for n, there in zip(ref.ids, at, strict=True):
             _put_there(scene, figure, n, there)
         figure.sided |= name in {"left", "right"}
+        loose = [n for n in figure.blocks if n not in figure.placed.values()]
+        figure.free |= figure.kind == "tower" and not figure.told and len(loose) > 1 and not scene.alike(loose)
         return
     if name == "top" and ref.kind == "block":
         on(scene, ref, Ref("block", tops_of(scene, last)), "on", no=False)

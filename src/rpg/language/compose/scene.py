@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from typing import NamedTuple
 
 from rpg.language.compose.syntax import Phrase
 from rpg.language.frames.pieces import Unclear
 
 __all__ = [
     "OPPOSITE", "SIDES", "TOWARD", "Block", "Fact", "Figure", "Impossible", "Patch", "Ref", "Resolve",
-    "Scene", "Unclear",
+    "Scene", "Taken", "Unclear",
 ]  # fmt: skip
 
 
@@ -102,6 +103,16 @@ class Ref:
     either: bool = False
 
 
+class Taken(NamedTuple):
+    """Blocks that are taken from a figure, and what is left; `rest`: "one" where this forms a figure again, "stay"."""
+
+    figure: Figure
+    ids: list[int]
+    kept: list[int]
+    stage: int
+    rest: str = ""
+
+
 @dataclass(frozen=True, slots=True)
 class Fact:
     """A sentence of the goal: `a`, a verb phrase, and what it relates to. Operands are lists of blocks, or figures.
@@ -129,8 +140,10 @@ class Scene:
     stand in a row; `asked`: something is to be put somewhere; `facing`: figures told by their sides, as "the left
     tower" and "the right one". `instead`: what
     "or" tells besides what was taken; `spare`: of these some were singled out, so that nothing need be said of the
-    others. `script`: which of several ways to have it are taken, one after the other; `choices`: of how many each was
-    one. `clear`: relations to things in which no block is, but for those that were told to be where "else" is said.
+    others. `wanted`: something is to be done; `said`: how many clauses there were, of which `begun` tell how it starts;
+    `changed`: what is taken from figures that are there, `kept` what is left of the last one, `moved` what is moved.
+    `script`: which of several ways to have it are taken, one after the other; `choices`: of how many each was one.
+    `clear`: relations to things in which no block is, but for those that were told to be where "else" is said.
     """
 
     blocks: list[Block] = field(default_factory=list)
@@ -157,6 +170,12 @@ class Scene:
     facing: dict[str, int] = field(default_factory=dict)
     instead: list[Ref] = field(default_factory=list)
     spare: set[int] = field(default_factory=set)
+    wanted: bool = False
+    said: int = 0
+    begun: int = 0
+    changed: list[Taken] = field(default_factory=list)
+    kept: list[int] = field(default_factory=list)
+    moved: list[int] = field(default_factory=list)
     script: tuple[int, ...] = ()
     choices: list[int] = field(default_factory=list)
     clear: list[tuple[str, Ref, bool, int]] = field(default_factory=list)
@@ -188,6 +207,15 @@ class Scene:
     def told_of(self, kind: str) -> set[int]:
         """The numbers of them."""
         return {n for ref in self.refs(kind) for n in ref.ids}
+
+    def begin(self) -> None:
+        """All that was told so far is so at the start, unless something was asked for already."""
+        if self.wanted:
+            return
+        self.begun = self.said
+        for figure in self.figures:
+            figure.stage = -1
+        self.facts = [replace(fact, stage=-1) for fact in self.facts]
 
     def next_clause(self) -> None:
         if self.here:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rpg.language import lexicon
-from rpg.language.compose.becoming import Becoming
+from rpg.language.compose.changes import Changes
 from rpg.language.compose.syntax import Both, Clause, Label, Looks, Made, Noun, Phrase, Predicate
 from rpg.language.compose.verbs import AUX, BUILT
 from rpg.language.compose.words import Ways
@@ -22,10 +22,21 @@ _FRONTED = (",", "is", "are", "goes", "go", "stands", "stand", "there is", "ther
             "comes", "build", ", build")  # fmt: skip
 
 _ASKING = frozenset({"could", "can", "should", "must", "shall", "will", "may"})
+_STARTS = tuple(
+    f"{verb}{word}"
+    for verbs, more in (
+        (("start", "begin", "starts", "begins", "started"), ("", " out", " off")),
+        (("is", "are", "lies", "lie", "stands", "stand", "sits", "sit"),
+         (" already", " now", " currently", " at first")),
+    )
+    for verb in verbs for word in more
+)  # fmt: skip
+"""What is so at the start."""
+
 STOPS = frozenset({".", "!", "?", ",", ";", ":"})
 
 
-class Stated(Becoming):
+class Stated(Changes):
     """Reads what is told."""
 
     def _begin(self, at: int) -> int:
@@ -70,6 +81,9 @@ class Stated(Becoming):
             for aside, start in ((None, stop), *self._aside(stop), *self.last_at(what, stop)):
                 mood = self._mood(start)
                 found += [(Clause(what, said, mood, aside), end) for said, end in self.verbs(start)]
+                if begun := self.past_any(start, *_STARTS):
+                    begun += self.text(begun) in {"stacked", "piled"} and self.text(begun + 1) == "on"
+                    found += [(Clause(what, said, "start", aside), end) for said, end in self.predicates(begun)]
         return found
 
     def _mood(self, at: int) -> str:

@@ -8,6 +8,7 @@ from dataclasses import replace
 from functools import partial
 from itertools import pairwise, permutations
 
+from rpg.language.compose.changing import change
 from rpg.language.compose.forming import forms
 from rpg.language.compose.items import PARTS
 from rpg.language.compose.kept_clear import kept_clear
@@ -25,6 +26,7 @@ from rpg.language.compose.syntax import (
     Among,
     Bears,
     Chain,
+    Change,
     Clause,
     Either,
     Holding,
@@ -40,11 +42,16 @@ from rpg.language.compose.syntax import (
     Pronoun,
     Shares,
     any_number,
+    changes,
     on_an_end,
 )
 
 _ITSELF = (Pronoun("it"), Pronoun("them"))
 _THE_BLOCK, _THE_ONE = Noun(det="the", noun="block"), Noun(det="the", noun="one")
+
+
+_TOLD = frozenset({"", "so", "there", "start", "lies", "with", "in"})
+"""What may be so at the start."""
 
 
 def say(scene: Scene, clause: Clause) -> None:
@@ -56,19 +63,26 @@ def say(scene: Scene, clause: Clause) -> None:
     if clause.mood == "start" and STAY in clause.predicates:
         raise Unclear
     scene.at_start = clause.mood == "start"
+    if changes(clause):
+        scene.begin()
     facts, figures = len(scene.facts), len(scene.figures)
-    _say(scene, clause)
-    if clause.only:
-        _check_only(scene, clause, facts)
-    if clause.later:
-        scene.stage += 1
+    if clause.mood == "change":
+        scene.stage += clause.later
+        change(scene, clause)
+    else:
+        _say(scene, clause)
+        if clause.only:
+            _check_only(scene, clause, facts)
+        scene.stage += clause.later
+    scene.wanted |= clause.mood not in _TOLD
+    scene.said += 1
     for n in range(facts, len(scene.facts)):
         scene.facts[n] = replace(scene.facts[n], stage=-1 if clause.mood == "start" else scene.stage)
     there = clause.mood == "start" or STAY in clause.predicates  # what stays where it is is there already
     scene.asked |= clause.mood == "put"
     for figure in scene.figures[figures:]:
         figure.there = clause.mood == "there" and not clause.predicates
-        figure.stage = -1 if there else scene.stage
+        figure.stage = -1 if there or figure.stage < 0 else scene.stage
 
 
 def _check_only(scene: Scene, clause: Clause, ahead: int) -> None:
@@ -306,7 +320,7 @@ def _said(scene: Scene, ref: Ref, said: Predicate) -> None:
         _looks(scene, ref, said.like)
     elif isinstance(said, Bears):
         _bears(scene, ref, said)
-    elif isinstance(said, Among | Holds | Holding | NotBoth):
+    elif isinstance(said, Among | Change | Holds | Holding | NotBoth):
         raise Unclear
     elif said.relation == "region":
         in_region(scene, ref, said)

@@ -115,8 +115,15 @@ def check_subject(scene: Scene, clause: Clause, ref: Ref) -> None:
         bears = all(isinstance(said, Bears) for said in clause.predicates)
         built = [f for f in scene.figures if not f.implied and f.stage == scene.stage]
         moved = clause.mood == "put" and bool(subject.ranks or subject.of) and not bears
+        whole = scene.figure_of(ref.ids[0])
+        if moved and whole is not None and not whole.implied and whole.kind != "tower":
+            rest = {scene.blocks[n].look for n in whole.blocks if n not in ref.ids}
+            if any(scene.blocks[n].look in rest for n in ref.ids):
+                raise Unclear  # which of those that look alike is where then
         if moved and any(set(ref.ids) & set(f.blocks) for f in built):
-            raise Unclear  # what it is taken from is there already
+            if scene.wanted or clause.later:
+                raise Unclear  # what it is taken from is there already
+            scene.begin()
     if not clause.mood and clause.predicates and len(ref.ids) > 1 and scene.figures and ref.fresh:
         raise Unclear  # these may form what was told ahead
 

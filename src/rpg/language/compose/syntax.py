@@ -168,13 +168,29 @@ class Among:
     no: bool = False
 
 
+@dataclass(frozen=True, slots=True)
+class Change:
+    """What becomes of what is there.
+
+    `how`: it is taken "out", "swap"ped, moved "to" an end or a place, "replace"d, "add"ed, taken "apart", or alone
+    "move"d; the gap is "close"d, or the rest "keep" their order. `of`: from where, with what, or to which block;
+    `side`: which end, or in which direction, where `steps` are counted; `only`: nothing else is moved.
+    """
+
+    how: str
+    of: Phrase | None = None
+    side: str = ""
+    steps: int = 0
+    only: bool = False
+
+
 ALL = frozenset({"each", "all", "both"})
 """What is said of every one of several."""
 TOWER = Noun(det="a", noun="tower")
 NOTHING = Noun(det="no", noun="block")
 STAY = Place("stay")
 """What is said of things that stay where they are."""
-Predicate = Among | Shares | NotBoth | Place | Made | Looks | Bears | Holds | Holding | Either
+Predicate = Among | Change | Shares | NotBoth | Place | Made | Looks | Bears | Holds | Holding | Either
 
 
 @dataclass(frozen=True, slots=True)
@@ -182,8 +198,8 @@ class Clause:
     """What is said of something; no predicate: there is such a thing, or it is to be built.
 
     `mood`: "put" and "build" are commands, "so" says that it is so, "must" that it has to be, "there" what there is,
-    "seen" what a picture shows, "start" and "end" what is so then, "may" what is allowed. `aside`: what is told between
-    the subject and its verb.
+    "seen" what a picture shows, "start" and "end" what is so then, "may" what is allowed, "change" what becomes of what
+    is there; "lies" tells what there is before that. `aside`: what is told between the subject and its verb.
     `first`, `later`: "first", "then". `other`: what else may be so instead. `only`: it is so of nothing else.
     """
 
@@ -220,3 +236,18 @@ def on_an_end(said: Place) -> bool:
     while isinstance(of, Noun) and of.noun != "end":
         of = of.of
     return said.relation == "on" and isinstance(of, Noun) and said.how not in {"top", "directly"}
+
+
+def changes(clause: Clause) -> bool:
+    """Whether it changes what is there, so that this is how it is at the start."""
+    turned = any(isinstance(said, Made) and _reversed(said.figure) for said in clause.predicates)
+    return clause.mood == "change" or (clause.mood == "build" and turned)
+
+
+def _reversed(figure: Phrase) -> bool:
+    return isinstance(figure, Noun) and figure.order == "reversed"
+
+
+def several(phrase: Phrase) -> bool:
+    """Whether more than one block is told."""
+    return not isinstance(phrase, Label | Noun) or (isinstance(phrase, Noun) and (phrase.many or phrase.count > 1))

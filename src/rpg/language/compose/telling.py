@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 
 from rpg.blocks.nouns import article, join, number
 from rpg.language import lexicon
+from rpg.language.compose.changing import finish
 from rpg.language.compose.facing import check_facing
 from rpg.language.compose.kept_clear import keep_clear
 from rpg.language.compose.lined import FROM_LEFT, IN_A_ROW, IN_ORDER
@@ -21,6 +22,8 @@ _MANY = 7
 
 def tell_all(scenes: Sequence[Scene]) -> tuple[str, list[str]]:
     """What scenes have in common, and what is so in one or another of them; and each of them by itself."""
+    for scene in scenes:
+        finish(scene)
     if not any(scene.facts or scene.figures for scene in scenes):
         raise Unclear
     _check_told_of(scenes)
@@ -174,6 +177,8 @@ def _fact(scene: Scene, fact: Fact) -> str:
         return _sentence(f"nothing must be on {a}")
     if fact.said == "stay":
         return _sentence(f"{a} must stay where {'it is' if len(fact.a.ids) == 1 else 'they are'}")
+    if fact.said == "moved":
+        return _sentence(f"{a} must be moved")
     if fact.said == "table":
         return _sentence(f"{a} {must} be on the table")
     if fact.said in {IN_ORDER, FROM_LEFT}:
@@ -193,6 +198,8 @@ def _fact(scene: Scene, fact: Fact) -> str:
         return _sentence(f"{a} {must} touch {b}")
     if fact.said.startswith("gap"):
         return f"There must be a {fact.said} between {a} and {b}."
+    if fact.said == "swapped":
+        return _sentence(f"{a} and {b} must be swapped")
     if fact.said == "apart":
         return _sentence(f"{a} {must} be apart from {b}")
     if fact.said == "between":
@@ -221,7 +228,8 @@ def _figure(scene: Scene, figure: Figure) -> str:
     names, many = _names(scene, figure.blocks), len(figure.blocks)
     alone = figure.kind == "tower" or sum(bool(scene.blocks[f.blocks[0]].label) for f in scene.figures) == 1
     listed = _sorted(scene, figure) if figure.in_order and alone else f"in the order {_in_turn(scene, figure)}"
-    order = f" {listed}" if figure.told and not _is_only_topped(scene, figure) else ""
+    told = figure.told and not _is_only_topped(scene, figure) and not _alike_at_start(scene, figure)
+    order = f" {listed}" if told else ""
     if figure.kind == "tower":
         order = order and f" from bottom to top{order}"
         turns = " in alternating colors" if figure.alternates and not figure.told else ""
@@ -231,10 +239,11 @@ def _figure(scene: Scene, figure: Figure) -> str:
         turns = " in alternating colors" if figure.alternates and not figure.told else ""
         return _sentence(f"{names} must be in a {figure.kind}{turns}{order and side}{figure.gaps}")
     if figure.kind == "column":
-        deep = order and f" from front to back{order}"
-        return _sentence(f"{names} must be in a column on the table{deep}{figure.gaps}")
+        if order:
+            return _sentence(f"{names} must be in a row from front to back{order}{figure.gaps}")
+        return _sentence(f"{names} must be in a column on the table{figure.gaps}")
     if figure.kind in {"word", "equation"}:
-        row = f"be in a row from left to right {listed} and " if figure.sided else ""
+        row = f"be in a row from left to right {listed} and " if figure.sided and figure.stage >= 0 else ""
         shown = f"spell the word {figure.word}" if figure.kind == "word" else f"show the equation {figure.word}"
         return _sentence(f"{names} must {row}{shown}")
     if figure.kind == "group" and not figure.told:
@@ -278,6 +287,13 @@ def _is_only_topped(scene: Scene, figure: Figure) -> bool:
         fact.said == "on" and ref is fact.b and ref.ids == figure.blocks[-1:] and not fact.no for ref, fact in own
     ]
     return bool(own) and all(on_top)
+
+
+def _alike_at_start(scene: Scene, figure: Figure) -> bool:
+    """Whether no block of a large figure that is there is told apart."""
+    many, alike = len(figure.blocks) >= _MANY, scene.alike(figure.blocks)
+    own = [set(ref.ids) & set(figure.blocks) for ref in scene.refs("block")]
+    return figure.stage < 0 and many and alike and not any(own)
 
 
 def _in_turn(scene: Scene, figure: Figure) -> str:

@@ -8,10 +8,9 @@ from contextlib import suppress
 from dataclasses import replace
 
 from rpg.language.compose.clauses import Reader, Step
-from rpg.language.compose.commands import several
 from rpg.language.compose.scene import Impossible, Scene, Unclear
 from rpg.language.compose.statements import say
-from rpg.language.compose.syntax import Clause, Made, Noun, Place, is_figure
+from rpg.language.compose.syntax import Clause, Made, Noun, Place, is_figure, several
 
 _MOST = 300
 """So many ways to read a text are looked at; one with more of them is not read."""
@@ -88,7 +87,7 @@ def _behind(last: Step, clause: Clause) -> Clause:
     subject = last.clause.subject
     new = is_figure(subject) and not (isinstance(subject, Noun) and subject.det == "the")
     if last.said and not clause.mood and clause.predicates:
-        return replace(clause, mood="must")  # "with a block on it" tells how it is to be
+        return replace(clause, mood="with")  # "with a block on it" tells how it is to be
     built = new and last.clause.mood in {"build", "put"} and last.clause.predicates
     if last.joined and built and not clause.mood and clause.predicates and not is_figure(clause.subject):
         raise Unclear  # "a row of red blocks on the left and blue ones on the right": another row, or not

@@ -13,7 +13,7 @@ from rpg.ir.walk import rename
 from rpg.language.meaning import Clause
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.things.refer import refer
-from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
+from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse, which_one
 
 
 def replace_there(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goal]:
@@ -45,7 +45,7 @@ def _anywhere(start: g.Goal, scene: Scene) -> bool:
 
 def _single(ref: Ref, span: Span) -> str:
     if len(ref.names) != 1 or ref.patch or ref.quant is not None or ref.op != "and":
-        raise refuse("ambiguous", "it is not clear which block is replaced by which", span, "name one block for one")
+        raise which_one("it is not clear which block is replaced by which", span, "name one block for one")
     return ref.names[0]
 
 

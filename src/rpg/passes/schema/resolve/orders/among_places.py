@@ -10,7 +10,7 @@ from rpg.ir.walk import names as names_in
 from rpg.language.meaning import At, PartOf, Places
 from rpg.passes.schema.resolve.orders.parts import cells_of, groups_in
 from rpg.passes.schema.resolve.orders.positions import SIDES, SYMMETRIC, line_groups, places_of
-from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, refuse
+from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, refuse, which_one
 
 
 def blocks_at(part: PartOf, of: Ref | None, scene: Scene, scope: Scope) -> Ref:
@@ -80,8 +80,8 @@ def standing_there(places: At | Places, whole: Built, span: Span, scene: Scene) 
     if there is None or whole.ordered or not all_alike(whole, scene, *there.values()):
         raise refuse("no-referent", "it is not clear which blocks these are", span, "name their colors or labels")
     if any({*whole.members} <= {*names_in(fact)} for fact in scene.start_goals):
-        raise refuse("ambiguous", "blocks that look alike are not told apart by where they are at the start", span,
-                     "give them colours, or say what is where at the end")  # fmt: skip
+        raise which_one("blocks that look alike are not told apart by where they are at the start", span,
+                        "give them colours, or say what is where at the end")  # fmt: skip
     indices = _indices(places, whole, span, scene)
     free = iter([name for name in whole.members if name not in there.values()])
     named = {k: there.get(k) or next(free) for k in indices}

@@ -10,7 +10,7 @@ from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Absolute, At, Loc, Manner, Pronoun
 from rpg.passes.schema.resolve.orders.positions import SIDES
 from rpg.passes.schema.resolve.places.pointed import BESIDE
-from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
+from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse, which_one
 
 
 def of_a_line(ref: Ref, at_: At, scene: Scene) -> None:
@@ -28,8 +28,8 @@ def of_a_word(ref: Ref, at_: At, scene: Scene) -> None:
     """Refuse "the letters spell EAT. Move the T to the front": of the word, or of the table?"""
     begun = [a for fact in scene.start_goals for a in atoms(fact) if isinstance(a, s.Spells)]
     if any({*ref.names} < {*word.blocks} for word in begun):
-        raise refuse("ambiguous", "this could be a side of the table or an end of the word", at_.span,
-                     "say 'of the table', or spell the other word")  # fmt: skip
+        raise which_one("this could be a side of the table or an end of the word", at_.span,
+                        "say 'of the table', or spell the other word")  # fmt: skip
 
 
 def related_to(ref: Ref, goal: g.Goal, scene: Scene) -> bool:

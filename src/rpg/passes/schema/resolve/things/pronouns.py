@@ -169,7 +169,7 @@ def _it(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         check_owner(word, found, scene)
         check_no_extra_since(word, found, scene)
         if word.word == "the first one" and (found.built or len({m.ref.names for m in there}) > 1):
-            raise refuse("ambiguous", "the first of which, or of its blocks?", word.span, "name the one you mean")
+            raise which_one("the first of which, or of its blocks?", word.span, "name the one you mean")
         return found
     last = single[-1].clause
     counted = [m for m in scene.mentions if m.clause == last and m.ref.quant is not None and not m.ref.patch]

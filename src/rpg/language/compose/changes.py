@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from rpg.language.compose.items import PATCH
 from rpg.language.compose.lying import Lying
-from rpg.language.compose.syntax import Change, Clause, Noun, Phrase, Pronoun, several
+from rpg.language.compose.syntax import Change, Clause, Label, Noun, Phrase, Pronoun, several
 from rpg.language.compose.words import Ways, remembered
 
 _OUT = ("out", "off", "away", "down", "out again", "off again", "away again")
@@ -171,13 +171,20 @@ class Changes(Lying):
             wide = self.past_any(end, *_OF_IT, "in it", "in the row", "in the tower") or end
             ways = ("with", "by") if self.text(at) == "replace" else ("for",)
             if start := self.past_any(wide, *ways):
-                found += [self._change(what, Change("replace", of), stop) for of, stop in self.phrase(start)]
+                found += [self._change(what, Change("replace", of), stop) for of, stop in self._further(start)]
+        return found
+
+    def _further(self, at: int) -> Ways[Phrase]:
+        """ "an S", "a yellow one": what comes to what is there."""
+        found = self.phrase(at)
+        if self.text(at) in {"a", "an", "another"} and (label := self.label(at + 1)):
+            found = [*found, (Label(label), at + 2)]
         return found
 
     def _added(self, at: int) -> Ways[Clause]:
         """ "add an S at the end", "put the green block at its left end"."""
         found: Ways[Clause] = []
-        for what, end in self.phrase(at + 1):
+        for what, end in self._further(at + 1):
             start = self.past_any(end, *(f"to the {figure}" for figure in ("row", "line", "word", "tower", "stack")))
             for change, stop in self._to(start or end):
                 if not change.steps and change.of is None:
@@ -203,8 +210,9 @@ class Changes(Lying):
             for what, end in self.phrase(at + 1):
                 if stop := self.past_any(end, *ways):
                     found.append(self._change(what, Change("keep", side=self.text(stop - 1)), stop))
-        if verb == "leave" and self.items[at + 1 : at + 2] and self.items[at + 1].value.isalpha():
-            word = Noun(det="a", noun="word", word=self.items[at + 1].value)
+        left = self.items[at + 1].raw if verb == "leave" and at + 1 < len(self.items) else ""
+        if left.isalpha() and left.isupper() and len(left) > 1:
+            word = Noun(det="a", noun="word", word=left)
             found.append(self._change(word, Change("close"), at + 2))
         if verb == "the":
             for what, end in self.phrase(at):

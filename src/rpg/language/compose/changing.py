@@ -89,6 +89,10 @@ def _to(scene: Scene, subject: Phrase, said: Change) -> None:
     order = _order(scene, figure)
     if len(ids) != 1 or len(order) < 2 or figure.kind not in _ENDS:
         raise Unclear
+    if said.side in _READ and figure.kind != "column" and not (
+        isinstance(subject, Noun) and (subject.nth or subject.ranks)
+    ):  # fmt: skip
+        raise Unclear  # the front of the table, or of the word
     others = [n for n in order if n != ids[0]]
     at = _place(scene, figure, order.index(ids[0]), others, said)
     after = [*others[:at], ids[0], *others[at:]]
@@ -302,6 +306,7 @@ def _blocks(scene: Scene, phrase: Phrase) -> list[int]:
     ref = resolve(scene, phrase)
     if ref.kind != "block" or ref.bound or ref.no or ref.either or ref.fresh:
         raise Unclear
+    scene.begin()  # what is told of here is there, too
     if some and (figure := scene.figure_of(ref.ids[0])) is not None and not told[scene.figures.index(figure)]:
         raise Unclear  # any of them, at any of their places
     return list(ref.ids)

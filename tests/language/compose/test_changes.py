@@ -42,7 +42,7 @@ OUTER_SWAPPED = there(
     "2 3 4 5", end=["5 3 4 2 at=0,0"], miss=["5 4 3 2 at=0,0", "2 3 4 5 at=0,0"], start_miss=["5 3 4 2", "5 4 3 2"]
 )
 GAP_CLOSED = there(
-    "M N O P", end=["M N P at=0,0 ; O at=3,5"], miss=["M N . P at=0,0 ; O at=3,5", "M N P O at=0,0"]
+    "M N O P", end=["M N P at=0,0 ; O at=3,5"], miss=["M N . . P at=0,0 ; O at=3,5", "M N P O at=0,0"]
 )  # fmt: skip
 MIDDLE_REPLACED = there(
     "cyan pink black", end=["cyan white black at=0,0"], miss=["cyan pink black at=0,0", "white pink black at=0,0"]
@@ -86,7 +86,7 @@ FOUR_OF_NINE = there(
         ("The row is M, N, O, P. Move the O one place to the left.", ONE_TO_THE_LEFT),
         ("Cyan, pink and black stand in a line from front to back. Bring the front one to the back.", FRONT_BACK),
         (
-            "The tower is pink, gray, brown from the bottom up. Remove the bottom block and keep the other two in order.",
+            "The tower is pink, gray, brown from the bottom up. Remove the bottom one and keep the others in order.",
             SHORTER,
         ),
         (

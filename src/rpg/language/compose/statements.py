@@ -22,6 +22,7 @@ from rpg.language.compose.storeys_told import told_in_turn
 from rpg.language.compose.subjects import about_a_block, check_said, check_subject, one_of_it, there_is, told_of_figures
 from rpg.language.compose.syntax import (
     STAY,
+    TOLD,
     TOWER,
     Among,
     Bears,
@@ -50,10 +51,6 @@ _ITSELF = (Pronoun("it"), Pronoun("them"))
 _THE_BLOCK, _THE_ONE = Noun(det="the", noun="block"), Noun(det="the", noun="one")
 
 
-_TOLD = frozenset({"", "so", "there", "start", "lies", "with", "in"})
-"""What may be so at the start."""
-
-
 def say(scene: Scene, clause: Clause) -> None:
     """Puts what a clause says into the scene. Raises Unclear where it does not say it clearly."""
     scene.next_clause()
@@ -74,7 +71,7 @@ def say(scene: Scene, clause: Clause) -> None:
         if clause.only:
             _check_only(scene, clause, facts)
         scene.stage += clause.later
-    scene.wanted |= clause.mood not in _TOLD
+    scene.wanted |= clause.mood not in TOLD
     scene.said += 1
     for n in range(facts, len(scene.facts)):
         scene.facts[n] = replace(scene.facts[n], stage=-1 if clause.mood == "start" else scene.stage)

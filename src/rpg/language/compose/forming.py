@@ -50,3 +50,21 @@ def forms(scene: Scene, ref: Ref, phrase: Phrase) -> None:
         figure.blocks = figure.blocks[::-1] if back else figure.blocks
     if side:
         face(scene, side, scene.figures.index(figure))
+
+
+def looks_so(scene: Scene, ref: Ref, like: Phrase) -> None:
+    """These blocks are of a colour: blocks of which nothing was said of how they look."""
+    if not isinstance(like, Noun) or not like.color or like.noun not in {"", "block", "one"} or like.count > 1:
+        raise Unclear
+    if ref.kind == "figure":
+        ref = Ref("block", [n for at in ref.ids for n in scene.figures[at].blocks])
+    if ref.kind != "block" or ref.bound:
+        raise Unclear
+    whole = scene.figure_of(ref.ids[0])
+    part = whole is not None and not whole.counted and set(ref.ids) < set(whole.blocks)
+    exception = part and whole is not None and scene.alike(whole.blocks)
+    for n in ref.ids:
+        block = scene.blocks[n]
+        if block.label or (block.color not in {"", like.color} and not exception):
+            raise Unclear
+        block.color = like.color

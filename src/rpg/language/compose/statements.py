@@ -9,7 +9,7 @@ from functools import partial
 from itertools import pairwise, permutations
 
 from rpg.language.compose.changing import change
-from rpg.language.compose.forming import forms
+from rpg.language.compose.forming import forms, looks_so
 from rpg.language.compose.items import PARTS
 from rpg.language.compose.kept_clear import kept_clear
 from rpg.language.compose.nouns import resolve
@@ -314,7 +314,7 @@ def _said(scene: Scene, ref: Ref, said: Predicate) -> None:
     if isinstance(said, Made):
         forms(scene, ref, said.figure)
     elif isinstance(said, Looks):
-        _looks(scene, ref, said.like)
+        looks_so(scene, ref, said.like)
     elif isinstance(said, Bears):
         _bears(scene, ref, said)
     elif isinstance(said, Among | Change | Holds | Holding | NotBoth):
@@ -351,24 +351,6 @@ def _placed(scene: Scene, ref: Ref, said: Place) -> None:
     if target.fresh and not named and target.kind == "block" and (ref.each or len(ref.ids) > len(target.ids)):
         raise Unclear  # one for each, or one for all
     place(scene, ref, target, said)
-
-
-def _looks(scene: Scene, ref: Ref, like: Phrase) -> None:
-    """These blocks are of a colour: blocks of which nothing was said of how they look."""
-    if not isinstance(like, Noun) or not like.color or like.noun not in {"", "block", "one"} or like.count > 1:
-        raise Unclear
-    if ref.kind == "figure":
-        ref = Ref("block", [n for at in ref.ids for n in scene.figures[at].blocks])
-    if ref.kind != "block" or ref.bound:
-        raise Unclear
-    whole = scene.figure_of(ref.ids[0])
-    part = whole is not None and not whole.counted and set(ref.ids) < set(whole.blocks)
-    exception = part and whole is not None and scene.alike(whole.blocks)
-    for n in ref.ids:
-        block = scene.blocks[n]
-        if block.label or (block.color not in {"", like.color} and not exception):
-            raise Unclear
-        block.color = like.color
 
 
 def _bears(scene: Scene, ref: Ref, said: Bears) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from rpg.language.compose.figures import figure_fits
 from rpg.language.compose.items import FIGURES
 from rpg.language.compose.places_of import places
@@ -80,6 +82,8 @@ def _holds(scene: Scene, n: int, what: Phrase) -> bool:
     blocks = [scene.blocks[m] for m in scene.figures[n].blocks]
     if not isinstance(what, Noun) or what.noun not in {"", "block", "one"} or what.ranks or what.of or what.nth:
         raise Unclear
+    if what.det == "no":
+        return not _holds(scene, n, replace(what, det="a", many=False))
     if what.color:
         if any(not block.color for block in blocks) or what.count > 1 or what.bound:
             raise Unclear

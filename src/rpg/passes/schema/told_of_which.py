@@ -32,6 +32,7 @@ def check_of_which(words: Sequence[Token], task: TaskSchema) -> None:
     _between_two(words, task)
     if task.assumed(COLORS_UNSAID):
         _of_structures(words)
+        _everything_else(words)
     _each_of_those(words)
     _whose_place(words)
     _beside_it_in_order(words)
@@ -64,6 +65,15 @@ def _of_structures(words: Sequence[Token]) -> None:
         if any(token.word in lexicon.COLOR for token in words[max(0, begin - _NEAR) : begin]):
             raise refuse("ambiguous", "are these the colours of the structures, or further blocks?", words[begin].span,
                          "say of each of them what it is made of")  # fmt: skip
+
+
+def _everything_else(words: Sequence[Token]) -> None:
+    """Refuse "a tower with a pink block on top and one of two with pink at the bottom, everything else cyan" as with
+    blocks of other colours in one of them."""
+    for at in _behind(words, (("everything", "else"), ("all", "else"))):
+        if any(token.word in lexicon.COLOR for token in words[at : at + _NEAR]):
+            raise refuse("ambiguous", "all blocks of which no colour is said, or only some of them?", words[at - 1].span,
+                         "say of each structure what it is made of")  # fmt: skip
 
 
 def _each_of_those(words: Sequence[Token]) -> None:

@@ -244,7 +244,8 @@ def _place_first(p: Parser, i: int, unit: str) -> Results[Absolute]:
             yield Absolute(theme=theme, adjuncts=(both,), span=p.span(i, k)), k
     lead = p.any_of(i, ("at", "in", "on", "for"))
     for place, j in part(p, lead, unit) if lead else ():
-        if isinstance(place, Places) and place.side != "rest":
+        on_block = p.words[i] == "on" and UNITS.get(p.words[j - 1]) == "block"  # "on its front left block a pink one"
+        if isinstance(place, Places) and place.side != "rest" and not on_block:
             lines = list(_cells(p, i, j, place))
             yield from lines
             for theme, k in _looks(p, p.any_of(j, _THERE_IS) or j):

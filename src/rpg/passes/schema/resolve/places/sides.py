@@ -24,6 +24,7 @@ from rpg.passes.schema.resolve.places.in_each_way import settled, ways_of
 from rpg.passes.schema.resolve.places.in_words import check_word
 from rpg.passes.schema.resolve.places.middles import of_a_line, of_a_word, related_to
 from rpg.passes.schema.resolve.places.of_themselves import check_between, of_themselves, with_the_one_between
+from rpg.passes.schema.resolve.places.rows_of_towers import of_towers
 from rpg.passes.schema.resolve.places.utmost import BEYOND, beyond_others, not_beyond_others
 from rpg.passes.schema.resolve.structures.structures import either, stack_built
 from rpg.passes.schema.resolve.things.operands import UPRIGHT, foot
@@ -76,6 +77,8 @@ def _stated(goal: g.Goal, scene: Scene) -> g.Goal:
     whole = max(len(ref.names) for ref, _, _ in loose) if told else 0
     for node in (n for n in _lines(goal) if set(names) <= set(n.blocks) and whole < len(n.blocks)):
         return _refine(goal, node, loose, scene)
+    for node, feet in of_towers(_lines(goal), loose, scene):
+        return _refine(goal, node, feet, scene)
     for figure in (a for a in atoms(goal) if isinstance(a, s.Grid | s.Figure) and set(names) < set(a.blocks)):
         return in_figure(goal, figure, loose, scene)
     for word in (a for a in atoms(goal) if isinstance(a, s.Spells) and set(names) < set(a.blocks)):

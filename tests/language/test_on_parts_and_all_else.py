@@ -1,4 +1,4 @@
-"""What lies on a block of a figure is no part of it; what is said of all else; towers of a row told by where they are."""
+"""What lies on a block of a figure is no part of it; all else; towers of a row told by where they are."""
 
 from __future__ import annotations
 

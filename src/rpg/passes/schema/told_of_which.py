@@ -72,7 +72,7 @@ def _everything_else(words: Sequence[Token]) -> None:
     blocks of other colours in one of them."""
     for at in _behind(words, (("everything", "else"), ("all", "else"))):
         if any(token.word in lexicon.COLOR for token in words[at : at + _NEAR]):
-            raise refuse("ambiguous", "all blocks of which no colour is said, or only some of them?", words[at - 1].span,
+            raise refuse("ambiguous", "all blocks of which no colour is said, or only some?", words[at - 1].span,
                          "say of each structure what it is made of")  # fmt: skip
 
 

@@ -65,3 +65,8 @@ def with_the_one_between(ranks: Ranks, loose: list[Loose], goal: g.Goal, scene: 
         raise refuse("ambiguous", f"it is not clear whether {other} is among these", loose[0][2],
                      "name the blocks from bottom to top")  # fmt: skip
     return (ranks[0], others, ranks[-1])
+
+
+def deep(loose: list[Loose]) -> bool:
+    """Whether the sides are those in front and behind."""
+    return any(isinstance(at_, At) and at_.side in ("front", "back") for _, at_, _ in loose)

@@ -11,7 +11,7 @@ from rpg.ir import structures as s
 from rpg.ir.node import members
 from rpg.ir.order import Order, Side
 from rpg.ir.walk import atoms, transform
-from rpg.language.meaning import At, Meaning, replace
+from rpg.language.meaning import At, replace
 from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.orders.agreeing import OPPOSITE
 from rpg.passes.schema.resolve.orders.between_ends import by_symbols, of_a_range
@@ -23,14 +23,18 @@ from rpg.passes.schema.resolve.places.either_end import at_an_end, each_at_its_e
 from rpg.passes.schema.resolve.places.in_each_way import settled, ways_of
 from rpg.passes.schema.resolve.places.in_words import check_word
 from rpg.passes.schema.resolve.places.middles import of_a_line, of_a_word, related_to
-from rpg.passes.schema.resolve.places.of_themselves import check_between, of_themselves, with_the_one_between
+from rpg.passes.schema.resolve.places.of_themselves import (
+    Loose,
+    check_between,
+    deep,
+    of_themselves,
+    with_the_one_between,
+)
 from rpg.passes.schema.resolve.places.rows_of_towers import of_towers
 from rpg.passes.schema.resolve.places.utmost import BEYOND, beyond_others, not_beyond_others
 from rpg.passes.schema.resolve.structures.structures import either, stack_built
 from rpg.passes.schema.resolve.things.operands import UPRIGHT, foot
 from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
-
-Loose = tuple[Ref, Meaning, tuple[int, int]]
 
 
 def place_loose(goal: g.Goal, scene: Scene) -> g.Goal:
@@ -372,22 +376,17 @@ def _in_row(loose: list[Loose], scene: Scene) -> g.Goal:
 
 def _across(loose: list[Loose]) -> g.Goal:
     """ "A on the left and B on the right": each left of the next."""
-    _has_middle(loose, *(("front", "back") if _deep(loose) else ("left", "right")))
+    _has_middle(loose, *(("front", "back") if deep(loose) else ("left", "right")))
     rank = {"left": 0, "front": 0, "middle": 1, "right": 2, "back": 2}
     ranked = sorted(loose, key=lambda item: rank[item[1].side if isinstance(item[1], At) else "middle"])
     sides = {item[1].side for item in loose if isinstance(item[1], At)}
-    node: type[r.LeftOf | r.InFrontOf] = r.InFrontOf if _deep(loose) else r.LeftOf
+    node: type[r.LeftOf | r.InFrontOf] = r.InFrontOf if deep(loose) else r.LeftOf
     if len(sides) < len(loose):
         raise refuse("ambiguous", "several blocks are said to be on the same side", loose[-1][2], "say of what")
     goals: list[g.Goal] = []
     for (a, _, span), (b, _, _) in itertools.pairwise(ranked):
         goals.append(node(a=foot(a), b=foot(b), span=span))
     return conj(goals)
-
-
-def _deep(loose: list[Loose]) -> bool:
-    """Whether the sides are those in front and behind."""
-    return any(isinstance(at_, At) and at_.side in ("front", "back") for _, at_, _ in loose)
 
 
 def _region(item: Loose) -> g.Goal:

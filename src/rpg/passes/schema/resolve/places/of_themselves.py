@@ -70,3 +70,18 @@ def with_the_one_between(ranks: Ranks, loose: list[Loose], goal: g.Goal, scene: 
 def deep(loose: list[Loose]) -> bool:
     """Whether the sides are those in front and behind."""
     return any(isinstance(at_, At) and at_.side in ("front", "back") for _, at_, _ in loose)
+
+
+def of_the_ends(
+    ref: Ref, node: type[r.LeftOf | r.RightOf | r.InFrontOf | r.Behind], goal: g.Goal, span: Span
+) -> g.Goal | None:
+    """ "A between B and C, B on the left": of the two ends, it is left of the other."""
+    parts = goal.goals if isinstance(goal, g.All) else ()
+    related = (r.LeftOf, r.RightOf, r.InFrontOf, r.Behind, r.Between, s.Stack, s.Row)
+    said = [a for a in atoms(goal) if isinstance(a, related)]
+    if len(said) != 1 or not isinstance(said[0], r.Between) or said[0] not in (goal, *parts):
+        return None
+    ends = (*members(said[0].b), *members(said[0].c))
+    if len(ref.names) != 1 or len(ends) != 2 or ref.names[0] not in ends:
+        return None
+    return node(a=ref.names, b=(ends[1 - ends.index(ref.names[0])],), span=span)

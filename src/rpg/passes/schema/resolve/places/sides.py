@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import itertools
 
-from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
@@ -27,6 +26,7 @@ from rpg.passes.schema.resolve.places.of_themselves import (
     Loose,
     check_between,
     deep,
+    of_the_ends,
     of_themselves,
     with_the_one_between,
 )
@@ -120,21 +120,6 @@ def _stated(goal: g.Goal, scene: Scene) -> g.Goal:
     return _and(goal, conj([_region(item) for item in loose]))
 
 
-def _of_the_ends(
-    ref: Ref, node: type[r.LeftOf | r.RightOf | r.InFrontOf | r.Behind], goal: g.Goal, span: Span
-) -> g.Goal | None:
-    """ "A between B and C, B on the left": of the two ends, it is left of the other."""
-    parts = goal.goals if isinstance(goal, g.All) else ()
-    related = (r.LeftOf, r.RightOf, r.InFrontOf, r.Behind, r.Between, s.Stack, s.Row)
-    said = [a for a in atoms(goal) if isinstance(a, related)]
-    if len(said) != 1 or not isinstance(said[0], r.Between) or said[0] not in (goal, *parts):
-        return None
-    ends = (*members(said[0].b), *members(said[0].c))
-    if len(ref.names) != 1 or len(ends) != 2 or ref.names[0] not in ends:
-        return None
-    return node(a=ref.names, b=(ends[1 - ends.index(ref.names[0])],), span=span)
-
-
 def _of_the_pair(loose: list[Loose], goal: g.Goal) -> g.Goal | None:
     """ "Red and blue side by side, red on the left", "both on the mat, ...": of two blocks close to each other, it is
     left of the other."""
@@ -144,7 +129,7 @@ def _of_the_pair(loose: list[Loose], goal: g.Goal) -> g.Goal | None:
     mats = [a for a in atoms(goal) if isinstance(a, r.OnPatch) and {*ref.names} < {*members(a.a)}]
     pairs = [a for a in atoms(goal) if isinstance(a, close) and _about(a, ref)] or mats
     if not pairs and not more and node is not None:
-        return _of_the_ends(ref, node, goal, span)
+        return of_the_ends(ref, node, goal, span)
     told = {frozenset(_named(a)) for a in pairs}
     if more or node is None or len(ref.names) != 1 or len(told) != 1 or pairs[0] not in _at_the_end(goal):
         return None

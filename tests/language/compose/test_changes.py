@@ -63,6 +63,21 @@ FOUR_OF_NINE = there(
     end=["white white white | white red white | white white white"],
     miss=["red white white | white white white | white white white"],
 )
+TWO_LEFT: Meant = {
+    "assets": {"pink": 3},
+    "hold": [["pink ; pink ; pink", "pink#1^pink#2^pink#3", "pink#1^pink#2 ; pink#3"]],
+    "miss": [["pink ; pink ; pink", "pink#1^pink#2 ; pink#3"], ["pink ; pink ; pink", "pink^pink^pink"]],
+}
+INNER_SWAPPED = there("A B C D", end=["A C B D at=0,0"], miss=["A B C D at=0,0", "A C B D at=3,0"])
+BACKWARDS = there("4 7 2 9", end=["9 2 7 4 at=0,0"], miss=["4 7 2 9 at=0,0", "9 7 2 4 at=0,0"], start_miss=["9 2 7 4"])
+ONLY_TOP = there(
+    "black^pink^cyan",
+    end=["black^pink at=0,0 ; cyan at=0,4"],
+    miss=["black at=0,0 ; pink^cyan at=0,4", "black^pink^cyan at=0,0"],
+)
+ON_WHITE = there(
+    "cyan pink white", end=[". pink white^cyan at=0,0"], miss=["cyan pink white at=0,0", "cyan^white pink . at=0,0"]
+)
 
 
 @pytest.mark.parametrize(
@@ -93,6 +108,14 @@ FOUR_OF_NINE = there(
             "Nine white blocks form a filled three by three square. Replace the one in the middle with a red one.",
             FOUR_OF_NINE,
         ),
+        ("Build a tower of three pink blocks, then take the top one off again.", TWO_LEFT),
+        ("Start with the row A B C D. End with B and C swapped and A and D not moved.", INNER_SWAPPED),
+        ("Can you turn the order round? The row is 4 7 2 9 now.", BACKWARDS),
+        ("Cyan starts on top of pink, which is on black. Only cyan has to come off.", ONLY_TOP),
+        (
+            "Cyan, pink and white are in a row from left to right. Take the left one and put it on the right one.",
+            ON_WHITE,
+        ),
     ],
 )
 def test_what_is_there_is_changed(text: str, meant: Meant) -> None:
@@ -106,11 +129,26 @@ def test_what_is_there_is_changed(text: str, meant: Meant) -> None:
         "The row is M, N, O, P. Move the O three places to the left.",  # there are only two
         "The tower is red, gray, pink from the bottom up. Take the bottom one off and leave the others where they are.",
         "The letters spell PARK. Take away the P and leave PAR.",
+        "Three pink blocks stand in a row with a blue one on the middle one. Move the blue one onto the left one.",
+        "Stack pink on cyan. Cyan must not move at any time.",  # not only where it is at the end
         "Four pink blocks in a row. Take the rightmost one and put it on the leftmost one.",
     ],
 )
 def test_changes_that_are_not_clear(text: str) -> None:
     assert BuiltinFrontEnd().read(text)[0] is None
+
+
+@pytest.mark.parametrize(
+    ("text", "start", "end"),
+    [
+        ("Cyan is on the pink mat. Move cyan onto the brown mat.", "cyan at=pink_patch", "cyan at=brown_patch"),
+        ("The cyan block is already on the pink mat. At the end it is on the brown one.",
+         "cyan at=pink_patch", "cyan at=brown_patch"),
+    ],
+)  # fmt: skip
+def test_what_is_put_elsewhere_is_there_first(text: str, start: str, end: str) -> None:
+    assets = {"cyan": 1, "pink_patch": 1, "brown_patch": 1}
+    assert_means(text, {"assets": assets, "start": [start], "start_miss": [end], "hold": [end], "miss": [start]})
 
 
 def test_where_it_starts_and_where_it_ends() -> None:

@@ -62,7 +62,7 @@ def _told(items: Sequence[Item], *, ahead: bool = False) -> dict[str, list[str]]
 
 def _told_last(items: Sequence[Item]) -> list[Item]:
     """The last sentence ahead of all others; nothing where there is only one."""
-    stops = [n for n, item in enumerate(items[:-1]) if item.text in {".", ";"}]
+    stops = [n for n, item in enumerate(items[:-1]) if item.text in {".", ";", "?"}]
     if not stops:
         return []
     last = [item for item in items[stops[-1] + 1 :] if item.text not in {".", "!"}]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rpg.language.compose.syntax import Clause, Made, Noun, is_figure
+from rpg.language.compose.syntax import Clause, Made, Noun, Pronoun, is_figure
 from rpg.language.compose.verbs import Verbs
 from rpg.language.compose.words import Ways
 
@@ -14,6 +14,11 @@ _STARTS_AS = ("starts as", "starts out as", "begins as", "starts off as", "is at
 _TURN = frozenset({"turn", "rebuild", "change", "convert", "transform", "make", "rearrange", "build", "stack"})
 _REVERSED = ("in the reverse order", "in reverse order", "in reversed order", "in the opposite order",
              "the other way round", "the other way around", "in reverse")  # fmt: skip
+_ORDER_TURNED = tuple(
+    f"{verb} {the} order{behind}"
+    for verb, ways in (("turn", (" round", " around")), ("flip", ("",)), ("reverse", ("",)), ("invert", ("",)))
+    for the in ("the", "its", "their") for behind in ways
+)  # fmt: skip
 
 
 class Becoming(Verbs):
@@ -39,7 +44,9 @@ class Becoming(Verbs):
             ways = (("one", self.past_any(end, *_REVERSED)), ("tower", self.past_any(end, "upside down")))
             back = [(Made(Noun(det="a", noun=noun, order="reversed")), stop) for noun, stop in ways if stop]
             found += [(Clause(what, (said,), "build"), stop) for said, stop in back]
+        reverse = Made(Noun(det="a", noun="one", order="reversed"))
+        if turned := self.past_any(at, *_ORDER_TURNED):
+            found.append((Clause(Pronoun("it"), (reverse,), "build"), turned))
         if self.text(at) == "reverse":
-            reverse = Made(Noun(det="a", noun="one", order="reversed"))
             found += [(Clause(what, (reverse,), "build"), end) for what, end in self.single(at + 1)]
         return found

@@ -23,6 +23,7 @@ _ENDS: dict[str, tuple[str, ...]] = {
     "middle": ("middle", "center"), "other": ("other end", "opposite end"), "near": ("front end",),
     "far": ("back end",),
 }  # fmt: skip
+_END_WITH = ("end with", "finish with")
 _OF_IT = ("of it", "of the row", "of the line", "of the tower", "of the stack", "of the word", "of the column")
 _DIRECTIONS = {"to the left": "left", "to the right": "right", "up": "up", "down": "down", "left": "left",
                "right": "right"}  # fmt: skip
@@ -56,6 +57,10 @@ class Changes(Lying):
                                 "close up", "push the others together", "push the rest together"):  # fmt: skip
             found.append((Clause(Pronoun("it"), (Change("close"),), "change"), end))
         found += self._kept(at)
+        if text == "only":
+            found += self._alone(at + 1)
+        if with_ := self.past_any(at, *_END_WITH):
+            found += self._of_them(with_)
         if text in {"the", "a"} or self.label(at) or len(text) > 2:
             found += self._of_them(at)
         return found
@@ -120,10 +125,23 @@ class Changes(Lying):
             aux = self.past_any(end, "should", "must", "have to", "shall", "are to") or end
             if stop := self.past_any(aux, *_SWAPPED):
                 found.append(self._change(what, Change("swap"), stop))
+            swapped = self.past_any(end, "swapped", "exchanged") if self.past_any(at - 2, *_END_WITH) else 0
+            if stop := swapped:
+                found.append(self._change(what, Change("swap"), stop))
             if becomes := self.past_any(end, "becomes the", "should become the", "must become the"):
                 side = {"first": "first", "last": "last"}.get(self.text(becomes), "")
                 stop = becomes + 1 + (self.text(becomes + 1) == "one")
                 found += [self._change(what, Change("to", side=side), stop)] if side else []
+        return found
+
+    def _alone(self, at: int) -> Ways[Clause]:
+        """ "(only) red has to come off", "(only) the top block is to be moved"."""
+        found: Ways[Clause] = []
+        for what, end in self.phrase(at):
+            if stop := self.past_any(end, "has to come off", "must come off", "comes off", "should come off"):
+                found.append(self._change(what, Change("out", only=True), stop))
+            if stop := self.past_any(end, "is to be moved", "is moved", "has to be moved", "must be moved"):
+                found.append(self._change(what, Change("move", only=True), stop))
         return found
 
     def _moved(self, at: int) -> Ways[Clause]:

@@ -60,8 +60,14 @@ def _out(scene: Scene, subject: Phrase, said: Change) -> None:
     looks = {scene.blocks[n].look for n in kept}
     if figure.kind != "tower" and any(scene.blocks[n].look in looks for n in ids):
         raise Unclear  # which of those that look alike is where then
-    scene.changed.append(Taken(figure, ids, kept, scene.stage, rest="stay" if said.only else ""))
+    scene.changed.append(Taken(figure, ids, kept, scene.stage, rest=_rest(figure, said)))
     scene.moved = ids
+
+
+def _rest(figure: Figure, said: Change) -> str:
+    """What is left stays where it is, if nothing else is moved; of a tower that was built before, it is a tower."""
+    built = figure.kind == "tower" and figure.stage >= 0
+    return "stay" if said.only else "one" if built else ""
 
 
 def _swap(scene: Scene, subject: Phrase, said: Change) -> None:
@@ -263,6 +269,8 @@ def _finish(scene: Scene, taken: Taken) -> None:
     figure, ids, kept = taken.figure, taken.ids, taken.kept
     stays = {n for fact in scene.facts if fact.said == "stay" for n in fact.a.ids}
     if taken.rest == "one" and len(kept) > 1:
+        if _from_top(figure, ids) and not scene.alike(kept):
+            raise Unclear  # in any order
         _next(scene, figure, kept, stage=taken.stage)
         if figure.kind == "tower":
             return

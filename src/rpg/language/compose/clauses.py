@@ -59,6 +59,12 @@ _END = tuple(f"{end}{mark}" for end, marks in (
     ("end", (" :",)), ("goal", (" :",)), ("after", (" :",)), ("goal state", (" :",)), ("final state", (" :",)),
     ("last state", (" :",)), ("goal condition", (" :",)), ("should be", (" :",)), ("now", ("",)),
 ) for mark in marks)  # fmt: skip
+_NOT_MOVED = ("not moved", *(
+    f"{must} not {moved}"
+    for must in ("must", "may", "should", "can", "shall", "is to", "are to", "has to", "is", "are")
+    for moved in ("move", "be moved", "be touched", "moved", "to be moved", "to be touched")
+    if (must in {"is", "are"}) == (moved in {"moved", "to be moved", "to be touched"})
+))  # fmt: skip
 _TOLD = frozenset({"", "so", "there", "lies", "start"})
 """What may be so now."""
 _SEPARATORS = (
@@ -164,7 +170,7 @@ class Reader(Commands):
                 found += self._spelled(start + 1)
             found += self._statement(start)
             found += [(Clause(what, said, mood), end) for what, said, end in self._existing(start)]
-        found += self._left_alone(at)
+        found += [*self._left_alone(at), *self._unmoved(at)]
         found += self.begun(at)
         found += self.lying(at)
         found += self._narrowed(at)
@@ -232,6 +238,15 @@ class Reader(Commands):
         start = self.past_any(many + 1, "of them") or many + 1 if self.number(many) else many
         them = Noun(det="all", count=count, of=Pronoun("all blocks"))
         return [(Clause(them, (place,), "must"), end) for place, end in self.place(start)]
+
+    def _unmoved(self, at: int) -> Ways[Clause]:
+        """ "the cyan one must not be moved", "(end with) A and D not moved"."""
+        found: Ways[Clause] = []
+        for what, end in self.phrase(at):
+            if not isinstance(what, Noun) or what.det != "a":
+                moved = self.past_any(end, *_NOT_MOVED)
+                found += [(Clause(what, (STAY,), "put"), moved)] if moved else []
+        return found
 
     def led(self, at: int) -> bool:
         """Whether a clause that begins there has words ahead of it such as "at the end"."""

@@ -19,6 +19,10 @@ _LAST = {"tower": "top", "row": "right", "line": "right", "column": "back"}
 _ENDS = {"row": ("left", "right"), "line": ("left", "right"), "column": ("near", "far")}
 _THERE = ("is there", "is already there", "is there already", "is already spelled out", "is spelled out",
           "is already spelled", "is already spelt", "is there now", "is already laid out", "is laid out")  # fmt: skip
+_STANDS_THERE = tuple(
+    f"{verb} {there}" for verb in ("is", "stands", "lies")
+    for there in ("there", "already there", "there already", "on the table", "there at the start", "there now")
+)  # fmt: skip
 _ABOVE = ("above it", "above that", "on it", "next", "on that", "over it")
 _IN_LINE = {"row": ("in a row", "in one row", "in this order", "in order", "in that order", "in a row in this order"),
             "line": ("in a line", "in one line"), "column": ("in a column", "in a line")}  # fmt: skip
@@ -51,6 +55,11 @@ class Lying(Becoming):
         if self.text(at) in {"from", "in", "of"}:
             ahead_of = [way for way in self.single(at + 1) if self.text(way[1]) == "," and is_figure(way[0])]
             found += [(Clause(figure, (), "lies"), end) for figure, end in ahead_of]
+        if self.text(at) in {"a", "the"}:
+            for figure, end in self.single(at):
+                if is_figure(figure) and isinstance(figure, Noun) and figure.det == "a":
+                    stands = self.past_any(end + (self.text(end) == ","), *_STANDS_THERE)
+                    found += [(Clause(figure, (), "lies"), stands)] if stands else []
         found += self._in_line(at)
         return found
 

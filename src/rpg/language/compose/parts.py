@@ -33,8 +33,10 @@ def part(scene: Scene, noun: Noun, resolve: Resolve) -> Ref:
         if noun.many and not noun.count and said == ("middle",) and not figure.size:
             count = len(figure.blocks) - 2  # all but the outer ones
         at = places(figure, said, noun.nth, count)
-        if scene.may_change(figure) and scene.subject is not None and figure.kind not in {"row", "line"}:
-            raise Unclear  # what is put there is on the whole figure, or on what is left of it
+        if scene.may_change(figure) and scene.subject is not None:
+            rest = {scene.blocks[n].look for place, n in enumerate(figure.blocks) if place not in at}
+            if figure.kind not in {"row", "line"} or any(scene.blocks[figure.blocks[n]].look in rest for n in at):
+                raise Unclear  # what is put there is on the whole figure, or on what is left of it
         if noun.det == "other":
             if scene.place is None or scene.place[0] is not figure:
                 raise Unclear

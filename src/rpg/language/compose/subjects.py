@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from rpg.language.compose.facing import SIDED
 from rpg.language.compose.items import FIGURES
-from rpg.language.compose.scene import SIDES, Ref, Scene, Unclear
+from rpg.language.compose.scene import OPPOSITE, SIDES, Ref, Scene, Unclear
 from rpg.language.compose.syntax import (
     ALL,
     Bears,
@@ -14,6 +14,7 @@ from rpg.language.compose.syntax import (
     Chain,
     Clause,
     Either,
+    Label,
     Listing,
     Looks,
     Made,
@@ -120,12 +121,32 @@ def check_subject(scene: Scene, clause: Clause, ref: Ref) -> None:
             rest = {scene.blocks[n].look for n in whole.blocks if n not in ref.ids}
             if any(scene.blocks[n].look in rest for n in ref.ids):
                 raise Unclear  # which of those that look alike is where then
+        if clause.mood == "put" and not (scene.wanted or clause.later) and _is_elsewhere(scene, ref, clause):
+            scene.begin()
         if moved and any(set(ref.ids) & set(f.blocks) for f in built):
             if scene.wanted or clause.later:
                 raise Unclear  # what it is taken from is there already
             scene.begin()
     if not clause.mood and clause.predicates and len(ref.ids) > 1 and scene.figures and ref.fresh:
         raise Unclear  # these may form what was told ahead
+
+
+def _is_elsewhere(scene: Scene, ref: Ref, clause: Clause) -> bool:
+    """ "(Blue is on red.) Move blue onto green": it was told to be where it can not be then, so it is there first."""
+    said = clause.predicates[0] if clause.predicates else None
+    if not isinstance(said, Place) or said.no or said.how == "somewhere":
+        return False
+    own = [fact for fact in scene.facts if fact.a.ids == ref.ids and fact.a.kind == ref.kind and not fact.no]
+    if said.relation == "region":
+        return any(
+            fact.said.replace(side, other) == f"{said.how} of the table"
+            for fact in own for side, other in OPPOSITE.items() if side in fact.said
+        )  # fmt: skip
+    of = said.of
+    if said.relation != "on" or not isinstance(of, Noun | Label):
+        return False
+    patches = isinstance(of, Noun) and of.noun == "patch"
+    return any(fact.said == ("patch" if patches else "on") for fact in own)
 
 
 def there_is(scene: Scene, ref: Ref, mood: str) -> None:

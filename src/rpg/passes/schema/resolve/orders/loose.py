@@ -10,7 +10,7 @@ from rpg.ir import goal as g
 from rpg.language.later import later
 from rpg.language.meaning import At, Meaning, replace
 from rpg.passes.schema.resolve.orders.positions import looks
-from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
+from rpg.passes.schema.resolve.things.world import Ref, Scene, which_one
 
 if TYPE_CHECKING:
     from rpg.passes.schema.resolve.places.sides import place_loose
@@ -34,8 +34,8 @@ def _at_their_times(scene: Scene) -> None:
     lines = [set(b.members) for b in scene.built if b.kind in ("row", "line", "column", "word")]
     late = [span for ref, _, span in scene.untimed if not any(line.issuperset(ref.names) for line in lines)]
     if late and all(getattr(place, "side", "") != "next" for _, place, _ in scene.loose):
-        raise refuse("ambiguous", "this could be a side of the table or of what is spoken of before", late[0],
-                     "say 'to the left half of the table', or of what")  # fmt: skip
+        raise which_one("this could be a side of the table or of what is spoken of before", late[0],
+                        "say 'to the left half of the table', or of what")  # fmt: skip
 
 
 def each_alone(item: tuple[Ref, Meaning, Span]) -> list[tuple[Ref, Meaning, Span]]:

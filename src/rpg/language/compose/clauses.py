@@ -162,6 +162,7 @@ class Reader(Commands):
             there = start > at and any(self.past(at, lead.split()) == start for lead in _THERE)
             mood = "there" if there else "seen" if start > at and self.past_any(at, *_SEEN) == start else ""
             found += self._command(start)
+            found += self.towers_in_line(start)
             found += self.turned(start)
             found += self.changed(start)
             found += self._fronted(start)

@@ -46,10 +46,12 @@ class Commands(Stated):
     """Reads commands."""
 
     def _command(self, at: int) -> Ways[Clause]:
+        found: Ways[Clause] = []
+        if (lined := self.past_any(at, "line up")) or self.text(at) in _BUILD:
+            found += self.towers_in_line(lined or self.past_any(at + 1, *_BUILD_ME) or at + 1, lined=bool(lined))
         no = self.past_any(at, "do not", "never")
         verb = self.text(no or at)
         start = self.past_any((no or at) + 1, *_BUILD_ME) or (no or at) + 1
-        found: Ways[Clause] = []
         if verb in _BUILD and not no:
             built = self._built(start, laid=verb in _PUT)
             found += [way for way in built if verb not in _STACK or not is_figure(way[0].subject)]

@@ -33,6 +33,11 @@ def figures_of(scene: Scene, noun: Noun, resolve: Resolve) -> Ref:
                 scene.figures[n].implied = False
             return Ref("figure", found, each=noun.det == "each")
         listed = isinstance(noun.content, Listing) and not scene.figures
+        several = noun.count or 2 * (noun.det == "both")
+        if several > 1 and noun == Noun(noun.det, noun.count, noun=kind, many=True, size=noun.size) and noun.size:
+            if scene.figures or noun.det == "each":
+                raise Unclear
+            return figures_of(scene, replace(noun, det="", count=several), resolve)  # "both towers are three high"
         bare = noun.content is None and not noun.size and not noun.word
         if ((noun.many or noun.det in ALL) and not listed) or bare:
             raise Unclear
@@ -127,7 +132,9 @@ def _ranked(scene: Scene, found: list[int], noun: Noun) -> list[int]:
 def _tell_apart(scene: Scene, both: Ref, rank: str) -> None:
     """ "The left one" of two towers that look alike: one of them is to the left of the other, whichever."""
     a, b = (scene.figures[n] for n in both.ids) if len(both.ids) == 2 else (None, None)
-    if a is None or b is None or a.kind != "tower" or rank not in TOWARD or not scene.alike([*a.blocks, *b.blocks]):
+    if a is None or b is None or a.kind != "tower" or rank not in TOWARD:
+        return
+    if len({scene.blocks[n].look[:2] for n in (*a.blocks, *b.blocks)}) > 1:
         return
     sides = any(fact.said in TOWARD.values() for fact in scene.facts)
     if not sides and not scene.told_of("block") & {*a.blocks, *b.blocks} and len(a.blocks) == len(b.blocks):

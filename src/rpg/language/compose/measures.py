@@ -14,6 +14,7 @@ from rpg.language.compose.syntax import Noun
 _SHAPED = frozenset({"figure", "form", "arrangement", "structure", "shape"})
 _LONG = frozenset({"tower", "row", "line", "column", "one"})
 _DRAWN = frozenset({"l", "t", "v", "u"})
+_OF_ALL = (", each", "each", ", all", ", both", ", each of them", ", all of them")
 _MEASURES = {"high": "high", "tall": "high", "wide": "wide", "long": "wide", "deep": "deep"}
 _ORDERS: dict[str, tuple[str, ...]] = {
     "alphabetical": ("in alphabetical order", "alphabetically", "sorted alphabetically", "in alphabetic order"),
@@ -94,7 +95,7 @@ class Measures(Limbs):
 
     def measured(self, noun: Noun, at: int) -> Iterator[tuple[Noun, int]]:
         """ "three high", "three wide and two high", "of three steps", "with a base of three blocks"."""
-        start = self.past_any(at, ", each", "each") or at + (self.text(at) in {",", "which", "that"})
+        start = self.past_any(at, *_OF_ALL) or at + (self.text(at) in {",", "which", "that"})
         sizes: dict[str, int] = {}
         while True:
             start += self.text(start) in {"and", "of", "by"} and bool(sizes)

@@ -31,7 +31,7 @@ def resolve(scene: Scene, phrase: Phrase) -> Ref:
         return _both(scene, phrase)
     if isinstance(phrase, Chain | Listing):
         raise Unclear
-    ref = _noun(scene, replace(phrase, but=None))
+    ref = pronoun(scene, "each") if phrase == Noun(det="each", noun="one") else _noun(scene, replace(phrase, but=None))
     if phrase.but is not None:
         if isinstance(phrase.but, Noun) and phrase.but.count:
             raise Unclear
@@ -108,7 +108,7 @@ def _noun(scene: Scene, noun: Noun) -> Ref:
     if noun.that:
         return chosen(scene, noun, resolve)
     if noun.noun not in FIGURES | {"one", "sign"} and (
-        noun.content is not None or noun.size or (noun.word and noun.noun != "patch")
+        noun.content is not None or noun.size or (noun.word and noun.noun != "patch" and noun.word != "else")
     ):
         raise Unclear
     if noun.det == "other" and noun.noun not in PARTS:
@@ -127,8 +127,6 @@ def _noun(scene: Scene, noun: Noun) -> Ref:
         return part(scene, noun, resolve)
     if noun.of is not None and noun.noun in SYMBOL_KINDS | {"sign"}:
         return symbols(scene, noun, resolve)
-    if noun == Noun(det="each", noun="one"):
-        return pronoun(scene, "each")
     if noun == Noun(noun="one") and scene.whole:
         return _some_of(scene, Noun(count=1))
     if noun.of is not None or noun.det == "but" or noun == Noun(count=noun.count, bound=noun.bound):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rpg.language.compose.items import FIGURES
 from rpg.language.compose.scene import Ref, Scene, Unclear
-from rpg.language.compose.syntax import Noun
+from rpg.language.compose.syntax import Bears, Clause, Noun
 
 
 def take(scene: Scene, ids: list[int]) -> Ref:
@@ -14,6 +14,11 @@ def take(scene: Scene, ids: list[int]) -> Ref:
 
 def others(scene: Scene, noun: Noun) -> Ref:
     """Those of the last lot that were not yet told of by themselves, or the other one of two figures or patches."""
+    if noun.word == "else":
+        plain = [n for n, block in enumerate(scene.blocks) if not block.color and not block.label]
+        if not 0 < len(plain) < len(scene.blocks):
+            raise Unclear
+        return Ref("block", plain)
     if noun.noun in {"", "one", *FIGURES} and noun == Noun("other", noun.count, noun=noun.noun, many=noun.many):
         rests = [ref.rest for ref in scene.before if ref.kind == "figure" and ref.rest]
         if len(rests) == 1 and len(rests[0]) == (noun.count or (len(rests[0]) if noun.many else 1)):
@@ -73,3 +78,13 @@ def _left_there(scene: Scene) -> list[int]:
         return []
     moved = set(scene.subject[1])
     return [n for n in start[0].blocks if n not in moved] if moved < set(start[0].blocks) else []
+
+
+def check_only(scene: Scene, clause: Clause, ahead: int) -> None:
+    """ "Only the middle one gets a blue block": there is no other one that could lie elsewhere."""
+    said = clause.predicates[0]
+    upper = [fact.a.ids[0] for fact in scene.facts[ahead:] if fact.said == "on" and not fact.no]
+    looks = {scene.blocks[n].look for n in upper}
+    like = [n for n, block in enumerate(scene.blocks) if block.look in looks]
+    if not isinstance(said, Bears) or said.what is None or not upper or set(like) != set(upper):
+        raise Unclear

@@ -137,7 +137,8 @@ class Scene:
     what the clause ahead puts something at: in which relation, and whether it was told as "it"; `placed` are figures
     that are put somewhere, so that it is no part of them that they are put at.
     `pending`: blocks that lie somewhere on others, and it has still to be said on which of them. `lines`: towers that
-    stand in a row; `asked`: something is to be put somewhere; `facing`: figures told by their sides, as "the left
+    stand in a row; `asked`: something is to be put somewhere; `looked`: it was told how places of
+    figures look, so that the others have to be told, too; `facing`: figures told by their sides, as "the left
     tower" and "the right one". `instead`: what
     "or" tells besides what was taken; `spare`: of these some were singled out, so that nothing need be said of the
     others. `wanted`: something is to be done; `said`: how many clauses there were, of which `begun` tell how it starts;
@@ -161,6 +162,7 @@ class Scene:
     stage: int = 0
     at_start: bool = False
     asked: bool = False
+    looked: bool = False
     subject: tuple[str, list[int]] | None = None
     place: tuple[Figure, int] | None = None
     placed: list[int] = field(default_factory=list)

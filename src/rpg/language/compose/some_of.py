@@ -11,6 +11,8 @@ from rpg.language.compose.items import RANK, shows
 from rpg.language.compose.syntax import Both, Label, Noun, Phrase
 from rpg.language.compose.words import Ways
 
+_ALL_ELSE = ("everything else", "all else", "all other block", "all the other block", "every other block there is")
+
 
 class SomeOf(Contents, ABC):
     """Reads them."""
@@ -47,6 +49,8 @@ class SomeOf(Contents, ABC):
         for two in ("", " of the two", " of them", " of these"):
             if end := self.past_any(at, f"whichever{two} is left", f"whichever{two} is left over"):
                 yield Noun(det="other", count=1), end
+        if end := self.past_any(at, *_ALL_ELSE):
+            yield Noun(det="other", many=True, word="else"), end
         start = self.past_any(at, "the", "all the")
         if not start:
             return

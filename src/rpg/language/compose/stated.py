@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from rpg.language import lexicon
-from rpg.language.compose.changes import Changes
-from rpg.language.compose.syntax import Both, Clause, Label, Looks, Made, Noun, Phrase, Predicate
+from rpg.language.compose.facing import SIDED
+from rpg.language.compose.heights import Heights
+from rpg.language.compose.items import FIGURES, RANK
+from rpg.language.compose.looking import FROM_LEFT
+from rpg.language.compose.syntax import Both, Clause, Label, Looks, Made, Noun, Phrase, Predicate, Pronoun, is_figure
 from rpg.language.compose.verbs import AUX, BUILT
 from rpg.language.compose.words import Ways
 
@@ -17,7 +22,8 @@ _BEHIND_COMMA = frozenset({"in turn", "side by side", "rising", "any order"})
 
 LINE = Noun(det="a", noun="line")
 
-_FRONTED = (",", "is", "are", "goes", "go", "stands", "stand", "there is", "there are", "there should be", "sits",
+_ALONE = ("alone", "all alone", "on its plain", "all on its plain")
+_FRONTED = (":", ",", "is", "are", "goes", "go", "stands", "stand", "there is", "there are", "there should be", "sits",
             "lies", ", there is", ", there are", "must be", "should be", "place", "put", ", put", ", place", "i want",
             "comes", "build", ", build")  # fmt: skip
 
@@ -36,7 +42,7 @@ _STARTS = tuple(
 STOPS = frozenset({".", "!", "?", ",", ";", ":"})
 
 
-class Stated(Changes):
+class Stated(Heights):
     """Reads what is told."""
 
     def _begin(self, at: int) -> int:
@@ -59,6 +65,17 @@ class Stated(Changes):
         if within := self.past_any(at, "in", "of"):
             wholes = [way for way in self.phrase(within) if isinstance(way[0], Noun | Both)]
             found += [(Clause(what, (), "in"), end) for what, end in wholes]
+        found += self.colors_in_turn(at)
+        if self.text(at + 1) == ":" and (side := RANK.get(self.text(at), "")) in SIDED:
+            one = [(what, end) for what, end in self.single(at + 2) if isinstance(what, Noun) and what.noun in FIGURES]
+            found += [(Clause(replace(what, det="a", ranks=(side,))), end) for what, end in one if not what.ranks]
+        if lined := self.past_any(at, *FROM_LEFT):
+            begin = self.past_any(lined, *_FRONTED, ":", ", :", "i want :", ", i want", "i want", "there is :") or lined
+            listed = [way for way in self.phrase(begin) if isinstance(way[0], Both) and is_figure(way[0])]
+            found += [
+                (Clause(what, (Made(Noun(det="a", noun="row", ranks=("left",))),)), self.past_any(end, *_ALONE) or end)
+                for what, end in listed
+            ]
         for place, end in self.place(at):
             starts = {self.past_any(end, way) for way in _FRONTED} | {end}
             for start in starts - {0}:
@@ -75,7 +92,12 @@ class Stated(Changes):
         asked = self.phrase(at + 1) if self.text(at) in _ASKING else []
         passive = [(what, way) for what, stop in asked if self.text(stop) == "be" for way in self.verbs(stop)]
         found += [(Clause(what, said, "must"), end) for what, (said, end) in passive]  # "could it be put there?"
-        for what, stop in self.phrase(at):
+        all_of_them = self.text(at) == "all" and self.text(at + 1) in {"are", "have", "must", "should"}
+        them: Ways[Phrase] = [(Pronoun("they"), at + 1)] if all_of_them else []
+        for what, stop in [*self.phrase(at), *them]:
+            high, end = self.as_high(stop)
+            if high and isinstance(what, Noun) and what.noun in FIGURES:
+                found.append((Clause(replace(what, size=(high,)), (), "so"), end))
             if built := self.past_any(stop, *BUILT):
                 found.append((Clause(what, (), "build"), built))
             for aside, start in ((None, stop), *self._aside(stop), *self.last_at(what, stop)):
@@ -84,6 +106,8 @@ class Stated(Changes):
                 if begun := self.past_any(start, *_STARTS):
                     begun += self.text(begun) in {"stacked", "piled"} and self.text(begun + 1) == "on"
                     found += [(Clause(what, said, "start", aside), end) for said, end in self.predicates(begun)]
+            wholly = [(said, end) for said, end in self.verbs(stop) if len(said) == 1 and isinstance(said[0], Looks)]
+            found += [(Clause(what, said, "so", but), last) for said, end in wholly for but, last in self.excepted(end)]
         return found
 
     def _mood(self, at: int) -> str:
@@ -114,6 +138,7 @@ class Stated(Changes):
         looks: Ways[tuple[Predicate, ...]] = [((Looks(how),), end) for how, end in self._ordered(start)]
         if self.text(at) == ",":
             looks += [((place,), end) for place, end in self.place(at + 1) if place.relation in _BEHIND_COMMA]
+        looks += [(said, end) for said, end in self.colored(start) if said[0].at]
         hue = start + (self.text(start) == "all")
         if color := lexicon.COLOR.get(self.text(hue)):
             looks.append(((Looks(Noun(color=color)),), hue + 1))

@@ -9,17 +9,28 @@ from functools import partial
 from itertools import pairwise, permutations
 
 from rpg.language.compose.changing import change
-from rpg.language.compose.forming import forms, looks_so
+from rpg.language.compose.coloring import colored_in_turn, has_at, looks, looks_but_for
+from rpg.language.compose.forming import forms
 from rpg.language.compose.items import PARTS
 from rpg.language.compose.kept_clear import kept_clear
+from rpg.language.compose.lined import put_in_line
 from rpg.language.compose.nouns import resolve
 from rpg.language.compose.one_each import each_of_a_new_one, one_by_one, one_for_each
+from rpg.language.compose.others import check_only
 from rpg.language.compose.pronouns import landmark
 from rpg.language.compose.relating import at_part, bare, between, in_region, place
 from rpg.language.compose.resting import on, tops_of
 from rpg.language.compose.scene import Fact, Impossible, Ref, Scene, Unclear
 from rpg.language.compose.storeys_told import told_in_turn
-from rpg.language.compose.subjects import about_a_block, check_said, check_subject, one_of_it, there_is, told_of_figures
+from rpg.language.compose.subjects import (
+    about_a_block,
+    at_its_side,
+    check_said,
+    check_subject,
+    one_of_it,
+    there_is,
+    told_of_figures,
+)
 from rpg.language.compose.syntax import (
     STAY,
     TOLD,
@@ -32,6 +43,8 @@ from rpg.language.compose.syntax import (
     Either,
     Holding,
     Holds,
+    InLine,
+    InTurn,
     Label,
     Looks,
     Made,
@@ -69,7 +82,7 @@ def say(scene: Scene, clause: Clause) -> None:
     else:
         _say(scene, clause)
         if clause.only:
-            _check_only(scene, clause, facts)
+            check_only(scene, clause, facts)
         scene.stage += clause.later
     scene.wanted |= clause.mood not in TOLD
     scene.said += 1
@@ -80,16 +93,6 @@ def say(scene: Scene, clause: Clause) -> None:
     for figure in scene.figures[figures:]:
         figure.there = clause.mood == "there" and not clause.predicates
         figure.stage = -1 if there or figure.stage < 0 else scene.stage
-
-
-def _check_only(scene: Scene, clause: Clause, ahead: int) -> None:
-    """ "Only the middle one gets a blue block": there is no other one that could lie elsewhere."""
-    said = clause.predicates[0]
-    upper = [fact.a.ids[0] for fact in scene.facts[ahead:] if fact.said == "on" and not fact.no]
-    looks = {scene.blocks[n].look for n in upper}
-    like = [n for n, block in enumerate(scene.blocks) if block.look in looks]
-    if not isinstance(said, Bears) or said.what is None or not upper or set(like) != set(upper):
-        raise Unclear
 
 
 def _one_or_other(scene: Scene, clause: Clause) -> None:
@@ -169,10 +172,12 @@ def _say(scene: Scene, clause: Clause) -> None:
     if isinstance(among := clause.predicates[0] if clause.predicates else None, Among):
         _narrow(scene, clause, among)
         return
+    if colored_in_turn(scene, clause):
+        return
     told = told_in_turn(scene, clause)
     if told is None or kept_clear(scene, told):
         return
-    clause = about_a_block(scene, told_of_figures(scene, told))
+    clause = at_its_side(scene, about_a_block(scene, told_of_figures(scene, told)))
     subject = clause.subject
     if isinstance(subject, Chain):
         if clause.predicates:
@@ -198,6 +203,9 @@ def _say(scene: Scene, clause: Clause) -> None:
     ref = own or resolve(scene, subject)
     check_subject(scene, clause, ref)
     check_said(clause, ref)
+    if clause.aside is not None and isinstance(like := clause.predicates[0] if clause.predicates else None, Looks):
+        looks_but_for(scene, ref, like, clause.aside)
+        return
     if clause.aside is not None:
         _aside(scene, ref, clause.aside)
     if not clause.predicates:
@@ -311,13 +319,15 @@ def _said(scene: Scene, ref: Ref, said: Predicate) -> None:
         if not isinstance(said, Place) or said.of is None:
             raise Unclear
         said, ref = replace(said, no=not said.no), replace(ref, no=False)
-    if isinstance(said, Made):
+    if isinstance(said, InLine):
+        put_in_line(scene, ref, said.places)
+    elif isinstance(said, Made):
         forms(scene, ref, said.figure)
     elif isinstance(said, Looks):
-        looks_so(scene, ref, said.like)
+        looks(scene, ref, said)
     elif isinstance(said, Bears):
         _bears(scene, ref, said)
-    elif isinstance(said, Among | Change | Holds | Holding | NotBoth):
+    elif isinstance(said, Among | Change | Holds | Holding | InTurn | NotBoth):
         raise Unclear
     elif said.relation == "region":
         in_region(scene, ref, said)
@@ -364,6 +374,9 @@ def _bears(scene: Scene, ref: Ref, said: Bears) -> None:
     where = said.place
     on_each = where is not None and where.relation == "on" and where.of in _ITSELF and ref.kind == "block"
     if said.place is not None and said.place.relation != "top" and not on_each:
+        if said.place.of is None and ref.kind == "figure" and said.place.relation in {"bottom", "middle"}:
+            has_at(scene, ref, said.what, said.place.relation)
+            return
         if said.place.of is None:
             raise Unclear
         own = said.place.of in {Pronoun("it"), Pronoun("them")}  # it has something beside itself

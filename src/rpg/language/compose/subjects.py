@@ -66,6 +66,23 @@ def about_a_block(scene: Scene, clause: Clause) -> Clause:
     return replace(clause, subject=replace(subject, noun="block"))
 
 
+def at_its_side(scene: Scene, clause: Clause) -> Clause:
+    """ "On the left a tower of four, on the right one of two": towers that are told apart by their sides."""
+    subject, said = clause.subject, clause.predicates
+    place = said[0] if len(said) == 1 and not clause.mood and isinstance(clause.subject, Noun) else None
+    if not isinstance(place, Place) or not isinstance(subject, Noun) or place.of is not None or place.no or place.cm:
+        return clause
+    if scene.facing and isinstance(subject.of, Noun) and subject == Noun(count=1, of=subject.of):
+        subject = Noun(det="a", noun="one", content=subject.of, made="of")  # "on the right one of two"
+    side = {"front": "near", "behind": "far"}.get(place.relation, place.relation)
+    new = subject.det in {"a", ""} and subject.count < 2 and not subject.ranks and subject.content is not None
+    known = subject.noun in FIGURES or (subject.noun == "one" and bool(scene.facing) and not subject.color)
+    if side not in SIDED or not new or not known or len(scene.figures) > len(scene.facing):
+        return clause
+    kind = scene.figures[-1].kind if subject.noun == "one" else subject.noun
+    return replace(clause, subject=replace(subject, det="a", noun=kind, ranks=(side,)), predicates=())
+
+
 def _at_its_side(scene: Scene, noun: Noun) -> Noun:
     """ "The left tower", "the tower on the right", where no others were told of: it is told of for the first time."""
     where = noun.that[0] if len(noun.that) == 1 else None
@@ -153,6 +170,8 @@ def there_is(scene: Scene, ref: Ref, mood: str) -> None:
     """Blocks that are told of by themselves are those that the rest of the text is about."""
     if (ref.kind == "patch" and mood in {"there", "seen"}) or ref.kind == "mixed":
         return
+    if mood == "so" and ref.kind == "figure":
+        return  # how high it is
     if mood == "in" and ref.kind == "block" and all(scene.blocks[n].label for n in ref.ids) and not scene.whole:
         scene.whole, scene.taken = list(ref.ids), []
         return

@@ -112,9 +112,24 @@ class Made:
 
 @dataclass(frozen=True, slots=True)
 class Looks:
-    """What looks so: "is red", "is B"."""
+    """What looks so: "is red", "is B"; `at`: at a place of it, "is red at the bottom"."""
 
     like: Phrase
+    at: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class InTurn:
+    """Which of several colours each of several figures has at a place, from left to right."""
+
+    at: str
+
+
+@dataclass(frozen=True, slots=True)
+class InLine:
+    """Which of several towers in a row is where: ("tall", "middle")."""
+
+    places: tuple[tuple[str, str], ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -192,7 +207,9 @@ TOLD = frozenset({"", "so", "there", "start", "lies", "with", "in"})
 """The moods of what may be so at the start."""
 STAY = Place("stay")
 """What is said of things that stay where they are."""
-Predicate = Among | Change | Shares | NotBoth | Place | Made | Looks | Bears | Holds | Holding | Either
+Predicate = (
+    Among | Change | InLine | InTurn | Shares | NotBoth | Place | Made | Looks | Bears | Holds | Holding | Either
+)
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,7 +10,7 @@ from rpg.language import lexicon
 from rpg.language.compose.changing import finish
 from rpg.language.compose.facing import check_facing
 from rpg.language.compose.kept_clear import keep_clear
-from rpg.language.compose.lined import FROM_LEFT, IN_A_ROW, IN_ORDER
+from rpg.language.compose.lined import FROM_LEFT, IN_A_ROW, IN_ORDER, IN_ROW_NEXT, told_by_neighbours
 from rpg.language.compose.places_of import DRAWN, columns, steps
 from rpg.language.compose.scene import Block, Fact, Figure, Patch, Ref, Scene, Unclear
 
@@ -55,6 +55,7 @@ def tell(scene: Scene, told_of: set[int]) -> list[str]:
     check_facing(scene)
     _color_in(scene)
     keep_clear(scene)
+    told_by_neighbours(scene)
     figures = [figure for figure in scene.figures if not figure.implied]
     last = max((*(figure.stage for figure in figures), *(fact.stage for fact in scene.facts)), default=0)
     told = {stage: _of_stage(scene, figures, stage) for stage in range(-1, last + 1)}
@@ -98,7 +99,7 @@ def _color_in(scene: Scene) -> None:
     free = next((c for c in _PALETTE if c not in {block.color for block in scene.blocks}), "")
     for block in scene.blocks:
         if not block.color and not block.label:
-            if not free:
+            if not free or scene.looked:
                 raise Unclear
             block.color = free
     patches = [patch.color for patch in scene.patches]
@@ -194,6 +195,8 @@ def _fact(scene: Scene, fact: Fact) -> str:
     assert fact.b is not None
     tower = _topped(scene, fact)
     b = _operand(scene, tower or fact.b)
+    if fact.said == IN_ROW_NEXT:
+        return _sentence(f"{a} must be at most 10 cm directly to the left of {b}")
     if fact.said == "touch":
         return _sentence(f"{a} {must} touch {b}")
     if fact.said.startswith("gap"):

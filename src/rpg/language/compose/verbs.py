@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rpg.language.compose.items import FIGURES, PARTS, RANK
-from rpg.language.compose.places import Places
+from rpg.language.compose.looking import Looking
 from rpg.language.compose.syntax import (
     STAY,
     TOWER,
@@ -59,7 +59,7 @@ _PILED = frozenset({"stacked", "piled"})
 _FLAT = frozenset({"patch", "table"})
 
 
-class Verbs(Places):
+class Verbs(Looking):
     """Reads what is said of a thing."""
 
     def _ordered(self, at: int) -> Ways[Phrase]:
@@ -156,6 +156,7 @@ class Verbs(Places):
             here += [((Looks(like),), stop) for like, stop in self._listing(not_there)]
             here += [((Looks(like),), stop) for like, stop in self.storeys(not_there)]
             here += [((Looks(like),), stop) for like, stop in self.reversed_so(not_there)]
+            here += [(looks, stop) for looks, stop in self.colored(not_there)]
             here += self._neither(end)
             if self.text(end) in _PILED:
                 here += [((Made(TOWER), *said), stop) for said, stop in self.predicates(end + 1)]

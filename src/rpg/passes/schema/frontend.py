@@ -57,6 +57,7 @@ from rpg.passes.schema.feasibility import Repairable, suggestions
 from rpg.passes.schema.guard import guard
 from rpg.passes.schema.hints import explained
 from rpg.passes.schema.misspelt import ways_meant
+from rpg.passes.schema.namings_had import check_namings
 from rpg.passes.schema.nothing_more import MOST as MOST_MORE
 from rpg.passes.schema.nothing_more import without_more
 from rpg.passes.schema.order_told import check_one_order, check_order
@@ -95,15 +96,9 @@ class BuiltinFrontEnd:
         except Refusal as refusal:
             return None, explained(text, refusal.diagnostics)
         except RecursionError:
-            message = "this is too tangled to be read"
+            message, hint = "this is too tangled to be read", "use several short sentences"
             return None, (
-                Diagnostic(
-                    code="too-complex",
-                    message=message,
-                    span=(0, len(text)),
-                    hint="use several short sentences",
-                    origin="schema",
-                ),
+                Diagnostic(code="too-complex", message=message, span=(0, len(text)), hint=hint, origin="schema"),
             )
 
     def _read(
@@ -225,6 +220,7 @@ class BuiltinFrontEnd:
             check_told(told or told_behind(words), found.task)
             check_numbers(spoken, words, found)
             check_behind(typed, found.task)
+            check_namings(found.task)
         except Refusal as refusal:
             otherwise = ((way(words), "") for way in _OTHERWISE)
             for ahead, wanted in (*otherwise, *stocks_ahead(words)):
@@ -357,6 +353,7 @@ _NOT_UNDERSTOOD = frozenset({"misplaced-word", "incomplete"})
 _PARSED = frozenset({
     "misplaced-word", "incomplete", "misplaced", "no-referent", "unused-block", "no-goal", "self-reference",
     "count-mismatch", "too-many-asked", "order-conflict", "fixed-patch", "contradiction", "support-cycle",
+    "too-many-namings",
 })  # fmt: skip
 """Why a text is refused that may be parsed otherwise, as it may where it is asked which one of several is meant."""
 _NOT_KNOWN = frozenset({"unknown-word", "misplaced"})

@@ -21,7 +21,7 @@ from rpg.ir.relations import (
     Touching,
 )
 from rpg.ir.schema import TaskSchema
-from rpg.ir.structures import Equation, Grid, GroupBy, Row, Spells
+from rpg.ir.structures import Equation, Grid, GroupBy, Row, Spells, Stack
 from rpg.ir.walk import names
 from rpg.language import lexicon
 from rpg.language.grammar.rows.parting import sentences, text_of
@@ -87,6 +87,7 @@ def _in_one(said: Said) -> None:
                                "say first which blocks are in it, and then where")  # fmt: skip
 
 
+_TOWERS = on_demand(f"\\b{TOWER}s?\\b")
 _OTHER = frozenset({"another", "other", "second", "next", "each", "every", "one", "two", "below", "underneath"})
 
 
@@ -95,7 +96,8 @@ def _apart(said: Said) -> None:
     match = _ONE_LINE.search(said.text) or _FIRST_IN_IT.search(said.text)
     if match is None or not _OTHER.isdisjoint((said.text[: match.start()] + said.text[match.end() :]).split()):
         return
-    lines = [{*line.blocks} for line in said.lines]
+    of_towers = _TOWERS.search(said.text[: match.start()])  # "three towers in one row"
+    lines = [{*line.blocks} for line in said.lines if not (of_towers and isinstance(line, Stack))]
     lines += [{*members(word.blocks)} for word in asked(said.task.goal) if isinstance(word, Spells)]
     if any(not one & other for n, one in enumerate(lines) for other in lines[:n]):
         raise said.refusal(match, "contradiction", "these are told to be in one line, and make several",

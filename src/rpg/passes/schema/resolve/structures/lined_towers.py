@@ -29,7 +29,7 @@ from rpg.language.meaning import (
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.things.operands import foot
 from rpg.passes.schema.resolve.things.refer import refer
-from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, refuse
+from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, refuse, which_one
 
 if TYPE_CHECKING:
     from rpg.passes.schema.resolve.structures.structures import make
@@ -52,8 +52,8 @@ def lined_up(shape: Structure, spec: Spec) -> Structure:
         return shape
     heights = next((z for z in shape.sizes if z.what == "heights"), None)
     if heights is not None and spec.first("left", "right") is None:
-        raise refuse("ambiguous", "it is not said which of the towers in the row has which height", heights.span,
-                     "say how high each is 'from left to right', or of which blocks each tower is")  # fmt: skip
+        raise which_one("it is not said which of the towers in the row has which height", heights.span,
+                        "say how high each is 'from left to right', or of which blocks each tower is")  # fmt: skip
     spec.intos = []
     spec.lined = True
     own = tuple(a for a in shape.details if not isinstance(a, Into))

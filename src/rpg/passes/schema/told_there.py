@@ -48,23 +48,6 @@ def check_told(told: Told | None, task: TaskSchema) -> None:
     _check_marks(told, task)
 
 
-def check_none_added(words: list[Token], task: TaskSchema) -> None:
-    """Refuse more blocks of a look than a text begins with: "there are 2 red and 4 white cubes, make 2 rows of three,
-    red in front" has no row of three red ones beside the two."""
-    told = [token.word for token in words]
-    if told[:1] != ["there"] or not _FURTHER.isdisjoint(told):
-        return
-    there = Counter(map(_look, task.blocks))
-    behind = (*told[2:], "")
-    for (number, token), verb, noun in zip(pairwise(words), told[1:], behind, strict=False):
-        if verb in lexicon.VERB and verb not in ("is", "are"):
-            return
-        color = lexicon.COLOR.get(token.word) if noun not in lexicon.STRUCTURE else None  # "two red towers"
-        if color is not None and 0 < number.many < there[color]:
-            message = f"there are {number.many} of '{color}', but {there[color]} are spoken of"
-            raise refuse("count-mismatch", message, token.span, "list them all, or say 'another'")
-
-
 def _check_marks(told: Told, task: TaskSchema) -> None:
     """Refuse a task with patches of other colours than those that are told: "there are a red block and a blue mat. The
     block must be on the mat of its colour"."""
@@ -88,6 +71,32 @@ def check_numbers(said: list[Token], words: Sequence[Token], found: Feasibility)
     for token in unfounded(meant, found.task, found.chosen) if lost else ():
         if token.span in lost:
             raise refuse("misplaced", f"{LOST} of {token.raw!r}", token.span, "say this part in a sentence of its own")
+
+
+def check_told_again(said: list[Token], task: TaskSchema) -> None:
+    """Refuse a task of a text that was told again where a number, a colour or a symbol was lost on the way, "a red block
+    at each end and three blocks in between that are white" as a tower of three, or where blocks were added."""
+    for token in unfounded(corrected(said), task):
+        if _number(token) or token.word in lexicon.COLOR or len(token.raw) == 1:
+            raise refuse("misplaced", f"{LOST} of {token.raw!r}", token.span, "say this part in a sentence of its own")
+    _check_none_added(said, task)
+
+
+def _check_none_added(words: list[Token], task: TaskSchema) -> None:
+    """Refuse more blocks of a look than a text begins with: "there are 2 red and 4 white cubes, make 2 rows of three,
+    red in front" has no row of three red ones beside the two."""
+    told = [token.word for token in words]
+    if told[:1] != ["there"] or not _FURTHER.isdisjoint(told):
+        return
+    there = Counter(map(_look, task.blocks))
+    behind = (*told[2:], "")
+    for (number, token), verb, noun in zip(pairwise(words), told[1:], behind, strict=False):
+        if verb in lexicon.VERB and verb not in ("is", "are"):
+            return
+        color = lexicon.COLOR.get(token.word) if noun not in lexicon.STRUCTURE else None  # "two red towers"
+        if color is not None and 0 < number.many < there[color]:
+            message = f"there are {number.many} of '{color}', but {there[color]} are spoken of"
+            raise refuse("count-mismatch", message, token.span, "list them all, or say 'another'")
 
 
 def _number(token: Token) -> bool:

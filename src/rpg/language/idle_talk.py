@@ -17,6 +17,7 @@ from rpg.language.references import refers_or_grades
 from rpg.language.smalltalk import is_strange, small_talk
 from rpg.language.spoken_wishes import for_what
 from rpg.language.talk_forms import by_form, polite_condition, takes_care
+from rpg.language.telling import turns
 from rpg.language.tokens import Token
 from rpg.language.ways_of_working import way_of_working
 from rpg.language.word_lists import listed
@@ -60,7 +61,7 @@ def idle(tokens: Sequence[Token]) -> bool:
     if way_of_working(tokens) or of_the_task(tokens) or refers_or_grades(tokens):
         return True
     words = _plain(tokens)
-    if words is None or _which(words):
+    if words is None or _which(words) or turns(words):
         return False
     begun = len(words) > 1 and words[0] in _BEGUN and IDIOMS.whole(words[1:])
     return begun or (IDIOMS.whole(words) or _aimed(tokens, _BECAUSE) or small_talk(tokens))
@@ -102,8 +103,10 @@ def _whole_at_an_end(tokens: Sequence[Token]) -> bool:
     if idle(tokens):
         return True
     words = _plain(tokens)
-    return words is not None and (
-        by_form(tokens) or TIMELY.whole(words) or _thought(words) or _for_somebody(words) or _of_own_things(words)
+    return (
+        words is not None
+        and not turns(words)
+        and (by_form(tokens) or TIMELY.whole(words) or _thought(words) or _for_somebody(words) or _of_own_things(words))
     )
 
 

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 
 from rpg.language import harmless, lexicon
 from rpg.language.smalltalk import is_strange
-from rpg.language.telling import may_tell
+from rpg.language.telling import may_tell, turns
 from rpg.language.word_lists import listed
 
 _WHO = (harmless.PEOPLE - listed("nobody")) | listed(
@@ -145,6 +145,7 @@ def _leads_in(words: Sequence[str]) -> bool:
     done = not _AT_LARGE.isdisjoint(words) and _TURNED_SO.isdisjoint(words)
     return (
         known
+        and not turns(words)
         and asked
         and not told
         and (not begun or (not done and not (lexicon.COMMANDS | {"do", "be"}).isdisjoint(words[:-1])))

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
+from itertools import pairwise
 
 from rpg.language import lexicon
 from rpg.language.harmless import EVERYDAY
@@ -82,6 +83,15 @@ def may_tell(word: str) -> bool:
     """Whether a word could tell of blocks even where people are spoken of."""
     handled = word in lexicon.VERB and word not in _LIGHT
     return handled or word in _OF_BLOCKS or word in SHAPES or any(word in table for table in _ALWAYS)
+
+
+def turns(words: Sequence[str]) -> bool:
+    """ "Turn it round": what there is would be another way round."""
+    return any(verb in _TURNING and it in _IT for verb, it in pairwise(words))
+
+
+_TURNING = listed("turn flip rotate spin reverse invert swap switch")
+_IT = listed("it them this that these those both")
 
 
 def may_tell_how(word: str) -> bool:

@@ -18,6 +18,10 @@ def forms(scene: Scene, ref: Ref, phrase: Phrase) -> None:
     """These form a figure."""
     if not isinstance(phrase, Noun):
         raise Unclear
+    if ref.each and ref.kind == "figure" and len(ref.ids) > 1:
+        for n in ref.ids:  # "lay each in a row"
+            forms(scene, Ref("figure", [n]), phrase)
+        return
     before = scene.figures[ref.ids[0]] if ref.kind == "figure" and len(ref.ids) == 1 else None
     if before is not None and scene.may_change(before) and not scene.at_start:
         ref = Ref("block", list(before.blocks))  # what is there is made into something else

@@ -32,6 +32,7 @@ from rpg.passes.schema.resolve.things.world import refuse
 from rpg.passes.schema.said_of_all import check_said_of_all
 from rpg.passes.schema.told_apart import check_told_apart
 from rpg.passes.schema.towers_stacked import check_one_on_other, check_towers_stacked
+from rpg.passes.schema.which_has import check_which_has
 
 
 def check_behind(tokens: list[Token], task: TaskSchema) -> None:
@@ -57,6 +58,7 @@ def check_behind(tokens: list[Token], task: TaskSchema) -> None:
         _in_different_colors(sentence, task)
     _one_way(tokens, task)
     check_ends_of_which(tokens)
+    check_which_has(tokens)
     check_lines(tokens, task)
     check_pyramid(tokens, task)
     check_said_of_all(tokens, task)

@@ -6,6 +6,8 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
 from rpg.ir.schema import COLORS_UNSAID, TaskSchema
+from rpg.ir.structures import Grid, Pyramid, Row, Stack
+from rpg.ir.walk import atoms
 from rpg.language import lexicon
 from rpg.language.tokens import Token
 from rpg.passes.schema.resolve.things.world import refuse
@@ -19,6 +21,9 @@ _IN_ITS_PLACE = tuple(
     for goes in ("goes", "comes", "put")
 )
 _IN_FRONT_OF_IT = (("in", "front", "of", "it"), ("behind", "it"))
+_SIDES = frozenset({"top", "bottom", "upper", "lower"})
+_ENDS = frozenset({".", "!", ";", ",", "and", "in", "into", "as", "up"})
+_MADE_OF = frozenset({"stack", "pile", "of", "lay", "put", "line", "arrange"})
 _NEAR = 3
 """Colours stand within so many words ahead of the order that they are said to be in."""
 
@@ -33,6 +38,8 @@ def check_of_which(words: Sequence[Token], task: TaskSchema) -> None:
     if task.assumed(COLORS_UNSAID):
         _of_structures(words)
         _everything_else(words)
+    _one_of_a_layer(words, task)
+    _each_by_itself(words, task)
     _each_of_those(words)
     _whose_place(words)
     _beside_it_in_order(words)
@@ -74,6 +81,29 @@ def _everything_else(words: Sequence[Token]) -> None:
         if any(token.word in lexicon.COLOR for token in words[at : at + _NEAR]):
             raise refuse("ambiguous", "all blocks of which no colour is said, or only some?", words[at - 1].span,
                          "say of each structure what it is made of")  # fmt: skip
+
+
+def _one_of_a_layer(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "a wall, blue, but one top block is red" as one of which all on top are red."""
+    if not any(isinstance(atom, Pyramid | Grid) for atom in atoms(task.goal)):
+        return
+    for one, side, block in zip(words, words[1:], words[2:], strict=False):
+        if one.word == "one" and side.word in _SIDES and block.word in lexicon.BLOCK:
+            raise refuse("ambiguous", f"one of the {side.word} blocks, or all of them?", side.span,
+                         f"say 'the {side.word} row', or which block of it")  # fmt: skip
+
+
+def _each_by_itself(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "there are two rows of three. Stack each", and "stack them separately", as one stack of all of them."""
+    built = [atom for atom in atoms(task.goal) if isinstance(atom, Stack | Row)]
+    if len(built) != 1:
+        return
+    told = [*(token.word for token in words), "."]
+    for at, word in enumerate(told):
+        alone = word == "each" and told[at + 1] in _ENDS and at and told[at - 1] in _MADE_OF
+        if alone or (word == "separately" and "them" in told[max(0, at - _NEAR) : at]):
+            raise refuse("ambiguous", "each by itself, or all of them together?", words[at].span,
+                         "say of each structure what becomes of it")  # fmt: skip
 
 
 def _each_of_those(words: Sequence[Token]) -> None:

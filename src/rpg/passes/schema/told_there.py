@@ -74,7 +74,7 @@ def check_numbers(said: list[Token], words: Sequence[Token], found: Feasibility)
 
 
 def check_told_again(said: list[Token], task: TaskSchema) -> None:
-    """Refuse a task of a text that was told again where a number, a colour or a symbol was lost on the way, "a red block
+    """Refuse a task of a text told again where a number, a colour or a symbol was lost on the way, "a red block
     at each end and three blocks in between that are white" as a tower of three, or where blocks were added."""
     for token in unfounded(corrected(said), task):
         if _number(token) or token.word in lexicon.COLOR or len(token.raw) == 1:

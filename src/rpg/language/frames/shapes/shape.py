@@ -26,6 +26,7 @@ _ROW_AT = re.compile(
     r"\b(?P<count>\d+|one)(?: blocks?| cubes?)? (?:along|at|in|on|for) (?:the |its )?(?P<side>front|near|nearest|"
     r"back|far|rear|farthest)\b"
 )
+_CORNERS = re.compile(r"\b(\d+|one|a|an|single) (?:of (?:the|its) )?(?:corners?|vertex|vertices|corner points?)\b")
 _ARTICLES = ("a", "an", "the")
 _OVER = {"front": "back", "back": "front", "left": "right", "right": "left"}
 
@@ -42,6 +43,7 @@ def told(pieces: Sequence[Piece]) -> str:
     check_owned(pieces, ("way", "limb", "arm", "side", "place", "along", "base"))
     _check_parts(pieces)
     shape = _shape(pieces)
+    _check_corners(pieces, shape)
     based = any(piece.kind == "place" and piece.value == "base" for piece in pieces)
     if shape in ("square", "triangle", "L", "U") and not based:
         pieces = by_side(pieces)
@@ -89,6 +91,14 @@ def told(pieces: Sequence[Piece]) -> str:
         text += f" A {inner[0].look} block is in the middle of the {shape}."
     where = one(pieces, "where")
     return f"{text} The {shape} is {where.value}." if where else text
+
+
+def _check_corners(pieces: Sequence[Piece], shape: str) -> None:
+    """Raise Unclear at "a square of which one corner is red", "three corners": not all of them."""
+    said = [_CORNERS.search(piece.words) for piece in pieces]
+    counts = [1 if not match[1].isdigit() else int(match[1]) for match in said if match]
+    if any(count != {"triangle": 3, "U": 2, "L": 1, "V": 1}.get(shape, 4) for count in counts):
+        raise Unclear
 
 
 def _check_for_whom(pieces: Sequence[Piece]) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 from rpg.language.frames.lots import one
 from rpg.language.frames.pieces import Piece, Unclear
@@ -49,8 +50,8 @@ def told(pieces: Sequence[Piece]) -> str:
         raise Unclear  # "the bottom one is black": of a tower that is told elsewhere
     if "figure" in kinds and _IS_THERE.match(pieces[kinds.index("figure")].words) and not wanted:
         raise Unclear  # "the stack is ..." tells of the start
-    if not _OF_SEVERAL.isdisjoint(kinds):
-        raise Unclear
+    if not _OF_SEVERAL.isdisjoint(kinds) or any(two == ("total", "part") for two in pairwise(kinds)):
+        raise Unclear  # "three blocks in between that are white": so many are there
     where = one(pieces, "where")
     looks = looks_of(pieces, one(pieces, "way"))
     return f"Build a tower, from bottom to top: {', '.join(map(_named, looks))}." + (

@@ -22,6 +22,8 @@ def figures_of(scene: Scene, noun: Noun, resolve: Resolve) -> Ref:
     kind = noun.noun if noun.noun in FIGURES else scene.figures[-1].kind if scene.figures else ""
     if not kind:
         raise Unclear
+    if noun.word == "same":
+        return _same_again(scene)
     if noun.det in {"the", "each", "all", "both", "any"} or (not noun.det and noun.many and not noun.count):
         found = [n for n, figure in enumerate(scene.figures) if figure_fits(scene, figure, noun)]
         found = _ranked(scene, found, noun)
@@ -69,11 +71,30 @@ def figures_of(scene: Scene, noun: Noun, resolve: Resolve) -> Ref:
     return Ref("figure", made, fresh=True)
 
 
+def _same_again(scene: Scene) -> Ref:
+    """ "(A tower that goes red, white, red,) and the same thing again": a further figure like the one told last."""
+    like = scene.figures[-1]
+    blocks = [scene.blocks[n] for n in like.blocks]
+    if like.implied or like.placed or (like.free and not scene.alike(like.blocks)) or scene.may_change(like):
+        raise Unclear
+    if (
+        any(block.label or not block.color for block in blocks)
+        or scene.stock
+        or any(f is not like for f in scene.figures)
+    ):
+        raise Unclear  # of which blocks, or like which figure
+    own = [scene.new_blocks(1, block.color)[0] for block in blocks]
+    scene.figures.append(replace(like, blocks=own, placed={}, barred={}))
+    return Ref("figure", [len(scene.figures) - 1], fresh=True)
+
+
 def figure_fits(scene: Scene, figure: Figure, noun: Noun) -> bool:
     """Whether a figure may be the one that is spoken of."""
     if noun.noun in FIGURES and figure.kind != noun.noun:
         return False
-    if noun.word and figure.word != noun.word:
+    if noun.word == "pair" and len(figure.blocks) != 2:
+        return False
+    if noun.word not in {"", "pair", figure.word}:
         return False
     if noun.color and {scene.blocks[b].color for b in figure.blocks} != {noun.color}:
         return False

@@ -38,6 +38,9 @@ _NOTHING = ("nothing", "nothing else", "none", "none other", "no other block", "
 _THAT_STANDS = ("that is", "which is", "that stands", "which stands")
 
 
+_IN_TURN = ("of", ":", ",", ", of", ".", "?", "that goes", "which goes", "going", "that reads")
+
+
 class Phrases(Relatives):
     """Reads noun phrases."""
 
@@ -211,9 +214,16 @@ class Phrases(Relatives):
             starts += [(noun, flat)] if (flat := self.past_any(at, *_FLAT)) else []
         figures: Ways[Noun] = []
         for measured, end in starts:
-            figures += [(measured, end), *self._filled(measured, end)]
-            if start := self.past_any(end, "of", ":", ",", ", of", ".", "?"):
+            filled = list(self._filled(measured, end))
+            figures += [(measured, end), *filled]
+            if start := self.past_any(end, *_IN_TURN):
                 figures += self.in_turn(measured, start)
+            for figure, stop in filled if noun.noun in {"row", "tower"} else ():
+                if (
+                    figure.content is not None and counted(figure.content) and self.text(stop) in {",", ":"}
+                ):  # "a row of four, red blue red blue ..."
+                    turns = self.in_turn(measured, stop + 1)
+                    figures += [way for way in turns if _as_many(way[0].content, figure.content)]
         laid = [(figure, flat) for figure, end in figures if drawn and (flat := self.past_any(end, *_FLAT))]
         return [*figures, *laid]
 
@@ -255,6 +265,11 @@ class Phrases(Relatives):
                     told = replace(told, noun=noun.noun, ranks=(*part.ranks, "end"))
                 yield told, end
                 yield from ((replace(told, of=whole), stop) for whole, stop in self._whole(end))
+
+
+def _as_many(listed: Phrase | None, said: Phrase | None) -> bool:
+    """Whether as many blocks are listed as were said."""
+    return isinstance(listed, Chain) and isinstance(said, Noun) and len(listed.parts) == said.count
 
 
 def _headed(parts: tuple[Phrase, ...]) -> tuple[Phrase, ...]:

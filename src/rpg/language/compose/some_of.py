@@ -11,6 +11,10 @@ from rpg.language.compose.items import RANK, shows
 from rpg.language.compose.syntax import Both, Label, Noun, Phrase
 from rpg.language.compose.words import Ways
 
+_SAME = ("the same thing again", "the same again", "the same {} again", "an identical {}", "another identical {}",
+         "another {} just like it", "another {} exactly like it", "another {} like it", "a second {} just like it",
+         "one more of the same", "a copy of it", "an exact copy of it")  # fmt: skip
+"""How a further figure is told that is like the one ahead of it."""
 _ALL_ELSE = ("everything else", "all else", "all other block", "all the other block", "every other block there is")
 
 
@@ -49,6 +53,9 @@ class SomeOf(Contents, ABC):
         for two in ("", " of the two", " of them", " of these"):
             if end := self.past_any(at, f"whichever{two} is left", f"whichever{two} is left over"):
                 yield Noun(det="other", count=1), end
+        for word in ("one", "tower", "stack", "row"):
+            if end := self.past_any(at, *(way.format(word) for way in _SAME)):
+                yield Noun(det="another", noun="one", word="same"), end
         if end := self.past_any(at, *_ALL_ELSE):
             yield Noun(det="other", many=True, word="else"), end
         start = self.past_any(at, "the", "all the")

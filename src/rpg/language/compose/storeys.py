@@ -53,7 +53,8 @@ class Storeys(Series):
                 break
             parts.append(part)
             end = behind
-            start = self.past_any(end, "and", ", and", ",", ", then", "then", "and then")
+            bare = end if self.text(end) in lexicon.COLOR and not self.items[end].many else 0  # "red blue red blue"
+            start = self.past_any(end, "and", ", and", ",", ", then", "then", "and then") or bare
         end += self.text(end) == ","
         if len(parts) < 2:
             return found
@@ -61,7 +62,8 @@ class Storeys(Series):
         ahead = self.past_any(end, f"from {first} to {last}", f"from the {first} to the {last}", f"{first} to {last}")
         back = self.past_any(end, f"from {last} to {first}", f"from the {last} to the {first}", f"{last} to {first}")
         listed = Chain(tuple(parts[::-1] if ahead else parts))
-        told = [(replace(noun, content=listed, made="of", order="listed"), ahead or back)] if ahead or back else []
+        made = "each" if noun.count > 1 else "of"
+        told = [(replace(noun, content=listed, made=made, order="listed"), ahead or back)] if ahead or back else []
         return [*found, *told]
 
     def storeys(self, at: int, kind: str = "tower") -> Ways[Chain]:

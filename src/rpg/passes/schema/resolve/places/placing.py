@@ -42,7 +42,7 @@ from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.spare import definite, further, known, pass_over
 from rpg.passes.schema.resolve.things.spoken import as_it_stands
 from rpg.passes.schema.resolve.things.things import alike, of_no_look
-from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
+from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse, which_one
 
 Goals = list[g.Goal]
 CHAINED = ("left", "right", "front", "behind", "above", "under", "beside", "adjacent", "touching", "near")
@@ -288,8 +288,7 @@ def absolutes(ref: Ref, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         theme = refer(so_many_between(item, scene), scene, replace(scope, role="theme", pool=own))
         made_up = ref.built and any(scene.things[n].invented for n in ref.names)
         if made_up and not apart and not set(theme.names) & set(ref.names):
-            raise refuse("ambiguous", "it is not clear which blocks the structure is made of", item.span,
-                         "name its blocks")  # fmt: skip
+            raise which_one("it is not clear which blocks the structure is made of", item.span, "name its blocks")
         inner = sort_adjuncts(item.adjuncts)
         if any(m.kind in ("turn", "facing", "by", "by?") for m in inner.manners):
             goals += _turned(theme, ref, inner, scene, item.span)

@@ -28,7 +28,7 @@ def select(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> tuple[str, ..
     ):
         colors = {t.color for t in found}
         if None in colors or len(colors) != (1 if noun.traits.scheme == "same" else len(found)):
-            raise refuse("ambiguous", "it is not clear which of the blocks are meant", noun.span, "name their colours")
+            raise which_one("it is not clear which of the blocks are meant", noun.span, "name their colours")
     amount = noun.amount
     indefinite = noun.det in ("a", "some", "another") or (noun.det == "bare" and amount is not None)
     if noun.det in ("any", "no", "bare", "some") and amount is None and (noun.plural or noun.det in ("any", "no")):

@@ -44,6 +44,7 @@ from rpg.language.open_colors import with_colors
 from rpg.language.pictured import without_pictures
 from rpg.language.praise import without_praise
 from rpg.language.remarks import without_remarks
+from rpg.language.said_once import said_of_each
 from rpg.language.singled_out import singled_out
 from rpg.language.spelling import read_words
 from rpg.language.spliced import in_one_sentence, in_sentences, ordered_behind, run_together, stock_last
@@ -363,7 +364,7 @@ _CANNOT_BOTH_BE = frozenset({"contradiction", "support-cycle", "self-reference"}
 _PLAINER: tuple[Callable[[list[Token]], tuple[list[Token], list[str]]], ...] = (
     without_pictures, with_lists, with_names, without_names, with_figures, with_color_classes, without_glosses,
     without_feelings, in_centimetres, with_colors, with_kinds, without_materials, without_praise, as_a_story,
-    singled_out,
+    singled_out, said_of_each,
 )  # fmt: skip
 """What is put in plain words before the words are looked up, each with notes of what it meant."""
 _OTHERWISE: tuple[Callable[[list[Token]], list[Token] | None], ...] = (

@@ -24,7 +24,8 @@ def check_one_like_it(words: Sequence[Token], task: TaskSchema) -> None:
     _check_built(words, task)
     counted = any(token.kind == "number" or lexicon.NUMBER.get(token.word, 0) > 1 for token in words)
     unsaid = counted and any(note.startswith("the number of") for note in task.assumptions)
-    said = Counter(lexicon.COLOR.get(token.word) for token in words)
+    of_blocks = (a for a, b in pairwise([*words, words[-1]]) if b.word not in lexicon.PATCH)  # not "the blue mat"
+    said = Counter(lexicon.COLOR.get(token.word) for token in of_blocks)
     shown = {symbol for block in task.blocks for symbol in symbols_of(block)}
     for index, (look, noun) in enumerate(pairwise(words)):
         symbol = noun.word in _SYMBOL_NOUNS or noun.raw in shown

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
+from rpg.ir.goal import Sequence as Ordered
 from rpg.ir.schema import COLORS_UNSAID, TaskSchema
 from rpg.ir.structures import Grid, Pyramid, Row, Stack
-from rpg.ir.walk import atoms
+from rpg.ir.walk import atoms, within
 from rpg.language import lexicon
+from rpg.language.grammar.rows.parting import STOPS
 from rpg.language.tokens import Token
 from rpg.passes.schema.resolve.things.world import refuse
 
@@ -43,6 +45,10 @@ def check_of_which(words: Sequence[Token], task: TaskSchema) -> None:
     _each_of_those(words)
     _whose_place(words)
     _beside_it_in_order(words)
+    _between_or_there(words)
+    _neither_of_which(words)
+    _in_time(words, task)
+    _each_such_counted(words)
 
 
 def _between_two(words: Sequence[Token], task: TaskSchema) -> None:
@@ -127,6 +133,49 @@ def _beside_it_in_order(words: Sequence[Token]) -> None:
         if follows and any(a.word == "with" and b.word != "the" for a, b in pairwise(words[:at])):
             raise refuse("misplaced", "it is not clear which of the blocks are in this order", words[at].span,
                          "say from which side on they follow, in a sentence of its own")  # fmt: skip
+
+
+def _between_or_there(words: Sequence[Token]) -> None:
+    """Refuse "put red left of blue and in between two green ones" as blue between two green ones."""
+    for at in _behind(words, (("in", "between"),)):
+        begin = max((n + 1 for n in range(at) if words[n].word in STOPS), default=0)
+        listed = at < len(words) and words[at].many > 1 and words[at - 3].word in (",", "and")
+        told = [n for n in range(begin, at - 2) if words[n].word in lexicon.COLOR and not _of_patch(words, n)]
+        if listed and len(told) > 1:
+            raise refuse("ambiguous", "these could lie there, or what is told before lies between them",
+                         words[at - 1].span, "say 'in between are ...', or name what is between them")  # fmt: skip
+
+
+def _of_patch(words: Sequence[Token], at: int) -> bool:
+    return at + 1 < len(words) and words[at + 1].word in lexicon.PATCH
+
+
+def _neither_of_which(words: Sequence[Token]) -> None:
+    """Refuse "put red next to both blue ones but on neither, and green on both" as green on neither."""
+    for at in _behind(words, (("but", "on", "neither"), ("but", "not", "on", "either"))):
+        if any(token.word == "both" for token in words[at:]):
+            raise refuse(
+                "ambiguous", "which block is on neither?", words[at - 1].span, "say it in a sentence of its own"
+            )
+
+
+def _in_time(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "first the tower, last the row; in between put yellow on the mat" as yellow in the middle of the row."""
+    said = {token.word for token in words}
+    for at in _behind(words, (("in", "between"),)) if {"first", "last"} <= said else ():
+        if any(isinstance(part, Ordered) for part in within(task.goal)):
+            raise refuse("ambiguous", "is this a place, or a time?", words[at - 1].span, "say what is done when")
+
+
+def _each_such_counted(words: Sequence[Token]) -> None:
+    """Refuse "put blue on each red block that is on the mat; two of the three red blocks are on the mat", where it
+    would be told of all three that they are."""
+    each = any(token.word in ("each", "every") for token in words)
+    such = [at for at in _behind(words, (("that", "is"), ("which", "is"))) if each]
+    for at in _behind(words, (("of", "the"),)) if such else ():
+        if words[at - 3].many and at < len(words) and words[at].many > words[at - 3].many:
+            raise refuse("ambiguous", "it is not clear of which of them this is told", words[at].span,
+                         "say first where the blocks are at the start")  # fmt: skip
 
 
 def _behind(words: Sequence[Token], phrases: Sequence[tuple[str, ...]]) -> Iterator[int]:

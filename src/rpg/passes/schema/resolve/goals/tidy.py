@@ -12,6 +12,7 @@ from rpg.ir.node import members
 from rpg.ir.walk import children, rebuild, transform, without_span
 from rpg.passes.schema.resolve.goals.each_on_one import each_on_one
 from rpg.passes.schema.resolve.goals.neighbours import in_lines, in_stacks
+from rpg.passes.schema.resolve.goals.not_directly import not_directly
 from rpg.passes.schema.resolve.goals.parts_of_line import in_one_line
 from rpg.passes.schema.resolve.goals.spacing import spaced
 from rpg.passes.schema.resolve.things.world import Scene
@@ -23,7 +24,7 @@ def tidy(goal: g.Goal, scene: Scene) -> g.Goal:
         scene.start_goals = list(children(_open_tops(g.All(goals=tuple(scene.start_goals)))))
     sizes = {thing.name: thing.edge or EDGE for thing in scene.blocks()}
     goal = in_stacks(in_lines(_diagonals(_excused(each_on_one(in_one_line(goal, scene)))), scene), scene)
-    return spaced(_open_tops(_stack_patches(_group_by_group(goal, scene))), sizes)
+    return spaced(_open_tops(_stack_patches(not_directly(_group_by_group(goal, scene)))), sizes)
 
 
 MANY = 3

@@ -200,11 +200,13 @@ def _built_there(word: Pronoun, rivals: list[Mention], scene: Scene, scope: Scop
     right of it": of the mat; None where the last one is meant.
 
     "Build a tower next to the blue block. Put a red block on it" is on the tower or on the blue block, and so is "it"
-    in "Beside the tower put white, and on it purple".
+    in "Beside the tower put white, and on it purple", and "this" in "to its right put white, and to the right of this
+    purple".
     """
     last = max((m.ref.span for m in rivals), default=(0, 0))
     fronted = next((m for m in rivals if m.ref.built and m.role == "landmark" and m.ref.span < last), None)
-    if fronted is not None and not {fronted.rel, scope.rel} <= set().union(*ACROSS):
+    across = word.word not in ("this", "that") and {fronted.rel if fronted else "", scope.rel} <= set().union(*ACROSS)
+    if fronted is not None and not across:
         return _decide(word, scene, rivals, scope.rel)
     built = [m for m in rivals if m.ref.built and m.role == "theme"]
     marks = [m for m in rivals if m.role == "landmark"]

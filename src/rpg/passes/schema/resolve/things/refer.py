@@ -33,6 +33,7 @@ from rpg.passes.schema.resolve.things.listing import (
     quantified,
     repeats,
 )
+from rpg.passes.schema.resolve.things.one_there import no_patch
 from rpg.passes.schema.resolve.things.pronouns import PAIR, others, pronoun
 from rpg.passes.schema.resolve.things.second_patch import the_only_patch
 from rpg.passes.schema.resolve.things.select import select
@@ -282,8 +283,7 @@ def _plain(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
 
 def _is_patch(noun: Noun, scene: Scene, scope: Scope) -> bool:
     if noun.head == "any":
-        sized = noun.traits.size is not None and bool(matching(noun.traits, scene, False))
-        if sized and not matching(noun.traits, scene, True):
+        if noun.traits.size and matching(noun.traits, scene, False) and not matching(noun.traits, scene, True):
             return False  # "push the big block onto the mat, then put the small one on the big one"
         if scope.like_patch and noun.traits.colors and not (scope.given and noun.det == "a"):
             pool = [t for t in scene.things.values() if t.color in noun.traits.colors]
@@ -295,7 +295,8 @@ def _is_patch(noun: Noun, scene: Scene, scope: Scope) -> bool:
             return all(t.patch for t in pool) if pool else True
         many = noun.amount.low if noun.amount and noun.traits == Traits() else 1
         there = many <= max(1, sum(t.patch for t in scene.things.values()))  # "A and B are on the mat, each of the two"
-        return there and (scope.like_patch or (scope.role == "landmark" and _the_marked(noun, scene)))
+        like = scope.like_patch or (scope.role == "landmark" and _the_marked(noun, scene))
+        return there and like and not no_patch(noun, scene, scope)
     return noun.head == "patch"
 
 

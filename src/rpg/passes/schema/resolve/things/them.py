@@ -5,6 +5,7 @@ from __future__ import annotations
 from itertools import pairwise
 from typing import TYPE_CHECKING, NoReturn
 
+from rpg.core.diagnostics import Span
 from rpg.ir.relations import On
 from rpg.ir.structures import Stack
 from rpg.ir.walk import names as names_in
@@ -37,6 +38,8 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     ):
         return ends
     if patches := patches_of_each(scene, scope):
+        if word.word in _EACH:
+            no_block_there(word.word, word.span)
         return Ref(names=patches, patch=True, plural=True)
     before = any(m not in own and len(m.ref.names) > 1 for m in scene.mentions)
     earlier = any(m.clause < scene.clause and m.ref.names for m in scene.mentions)
@@ -161,6 +164,12 @@ def patches_of_each(scene: Scene, scope: Scope, of_none: bool = False) -> tuple[
     several = any(len(m.ref.names) > 1 for m in scene.mentions) and not of_none
     names = tuple(dict.fromkeys(n for m in each for n in m.ref.names))
     return names if len(names) > 1 and len(each) == len(told) and not several else ()
+
+
+def no_block_there(word: str, span: Span | None) -> NoReturn:
+    """Refuse "there is a red block on the green mat and one on the blue mat. Put a yellow one on each"."""
+    raise refuse("ambiguous", f"{word!r} could be the patches, or the blocks on them", span,
+                 "say 'on each patch', or 'on each block'")  # fmt: skip
 
 
 def _one_of_two_wholes(ref: Ref, scene: Scene) -> bool:

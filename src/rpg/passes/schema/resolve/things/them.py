@@ -38,9 +38,7 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     ):
         return ends
     if patches := patches_of_each(scene, scope):
-        if word.word in _EACH:
-            no_block_there(word.word, word.span)
-        return Ref(names=patches, patch=True, plural=True)
+        return _of_patches(word, patches)
     before = any(m not in own and len(m.ref.names) > 1 for m in scene.mentions)
     earlier = any(m.clause < scene.clause and m.ref.names for m in scene.mentions)
     for mention in _latest_first(scene):
@@ -164,6 +162,12 @@ def patches_of_each(scene: Scene, scope: Scope, of_none: bool = False) -> tuple[
     several = any(len(m.ref.names) > 1 for m in scene.mentions) and not of_none
     names = tuple(dict.fromkeys(n for m in each for n in m.ref.names))
     return names if len(names) > 1 and len(each) == len(told) and not several else ()
+
+
+def _of_patches(word: Pronoun, patches: tuple[str, ...]) -> Ref:
+    if word.word in _EACH:
+        no_block_there(word.word, word.span)
+    return Ref(names=patches, patch=True, plural=True)
 
 
 def no_block_there(word: str, span: Span | None) -> NoReturn:

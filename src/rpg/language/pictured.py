@@ -29,6 +29,7 @@ _ANY = (
     "(?: (?:you (?:like|want|have|please|can find)|are there|there are))?"
 )
 _NO_MORE = "(?:and )?(?:there is )?nothing else(?: (?:is|stands|lies))?(?: (?:there|around|in it|to see|visible))"
+_SYMBOLS = r"\w(?: ,? ?\w)+"
 _COLOR = f"(?:{'|'.join(lexicon.COLOR)})"
 _LEFT_OUT = (
     rf"(?P<out>(?:^|(?<=[.!?] )){_MAKE} {_SUCH}(?: (?:ok|okay|please))?(?: {_END})+ )(?=\S)",
@@ -49,6 +50,14 @@ _IN_OTHER_WORDS: tuple[tuple[str, str], ...] = (
     (rf"{_SO}(?:the |each |every )?gaps? between (?P<of>{_OF_WHAT}) {_IS} {_WIDE}", _GAP),
     (rf"(?:(?:a|one) )?gaps? between (?P<of>{_OF_WHAT})(?: (?:that|which) (?:is|are))? as wide as (?:one|a) {_BLOCK}",
      _GAP.removeprefix("with ")),
+    (r"^my (?:little |young |own )?(?:girl|boy|daughter|son|kid|child|one) (?:made|built|drew|laid) "
+     r"(?:this|the following) (?:pattern|picture)(?: on the table)? [,:]", ""),
+    (r"[,.;](?: and| but)?(?: i think)? (?:you|one|we) can read it(?: normal\w*| as usual)? from left to right",
+     ", from left to right"),
+    (r"(?P<of>at least \w+ of the \w+ [^.;]*?) [,.;] (?:and |but )?i do not (?:really )?care about (?:the (?:last|third|"
+     r"fourth|fifth|other|others|rest|remaining)(?: ones?| two)?)(?= [.!]|$)", "{of}"),
+    (rf"^(?P<of>{_SYMBOLS}) are (?P<far>in the (?:back|far) row) and (?P<more>{_SYMBOLS})(?: are)? "
+     r"(?P<near>in the (?:front|near) row)", "{of} {far} and {more} {near}"),
     (rf"all (?:of them |of )?(?:the |in the |of the )?same colou?r(?: ,| :)? (?P<of>{_COLOR})(?= [.,;]|$)", "all {of}"),
     ("(?<= )be able to (?=read|see)", ""),
     (r"(?<![^ ])(?P<of>is|are|do|does|should|must)'nt", "{of} not"),
@@ -75,7 +84,7 @@ def without_pictures(tokens: list[Token]) -> tuple[list[Token], list[str]]:
 
 
 def _text(tokens: list[Token]) -> str:
-    return " ".join(token.word for token in tokens)
+    return " ".join(token.word.replace(" ", "_") for token in tokens)
 
 
 def _spot(text: str, found: re.Match[str], part: str | int = 0) -> range:

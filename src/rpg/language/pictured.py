@@ -54,8 +54,8 @@ _IN_OTHER_WORDS: tuple[tuple[str, str], ...] = (
      r"(?:this|the following) (?:pattern|picture)(?: on the table)? [,:]", ""),
     (r"[,.;](?: and| but)?(?: i think)? (?:you|one|we) can read it(?: normal\w*| as usual)? from left to right",
      ", from left to right"),
-    (r"(?P<of>at least \w+ of the \w+ [^.;]*?) [,.;] (?:and |but )?i do not (?:really )?care about (?:the (?:last|third|"
-     r"fourth|fifth|other|others|rest|remaining)(?: ones?| two)?)(?= [.!]|$)", "{of}"),
+    (r"(?P<of>at least \w+ of the \w+ [^.;]*?) [,.;] (?:and |but )?i do not (?:really )?care about "
+     r"(?:the (?:last|third|fourth|fifth|other|others|rest|remaining)(?: ones?| two)?)(?= [.!]|$)", "{of}"),
     (rf"^(?P<of>{_SYMBOLS}) are (?P<far>in the (?:back|far) row) and (?P<more>{_SYMBOLS})(?: are)? "
      r"(?P<near>in the (?:front|near) row)", "{of} {far} and {more} {near}"),
     (rf"all (?:of them |of )?(?:the |in the |of the )?same colou?r(?: ,| :)? (?P<of>{_COLOR})(?= [.,;]|$)", "all {of}"),

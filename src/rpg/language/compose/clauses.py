@@ -21,6 +21,7 @@ from rpg.language.compose.syntax import (
     Phrase,
     Place,
     Pronoun,
+    Reads,
 )
 from rpg.language.compose.verbs import STAYS
 from rpg.language.compose.words import Ways, remembered
@@ -85,6 +86,19 @@ _GAP = tuple(f"{leave}a {gap} of" for leave in ("", "leave ", "keep ") for gap i
 _NOT_ANYTHING = tuple(f"there {must} not {be}anything" for must, be in (
     ("should", "be "), ("must", "be "), ("may", "be "), ("can", "be "), ("is", ""), ("shall", "be ")
 ))  # fmt: skip
+_READS = tuple(f"{may}{shows}" for may in ("", "must ", "should ", "will ", "can ") for shows in (
+    "read", "reads", "spell", "spells", "say", "says", "spell out", "spells out", "spell the word", "spells the word",
+    "read the word", "reads the word"
+))  # fmt: skip
+_UNLIKE = tuple(
+    f"{never} two {blocks}of the same color{on}"
+    for never in ("never", "no", "but never", "but no")
+    for blocks in ("", "block ")
+    for on in (" touching", *(f" {directly}{on}" for directly in ("", "directly ", "right ") for on in (
+        "on each other", "on top of each other", "on one another", "next to each other", "above each other")))
+)  # fmt: skip
+_OPENING = frozenset({"whose", "without", "so"})
+"""Before these words nothing need part a clause from the one ahead of it."""
 _BARE = frozenset({"empty", "free"})
 _ONE_OF_THEM = ("one of them", "one of which", "one of these", "one")
 _TO_BE = ("must be", "has to be", "needs to be", "should be", "shall be", "is to be", "is", "being")
@@ -126,7 +140,7 @@ class Reader(Commands):
             if end >= len(self.items):
                 yield Step(clause, end)
             for words in (*_SEPARATORS, ""):
-                if (start := self.past(end, words.split())) and (words or self.text(end) in {"whose", "without"}):
+                if (start := self.past(end, words.split())) and (words or self.text(end) in _OPENING):
                     yield Step(clause, self._begin(start), said=words in _WITH, joined=words not in STOPS)
             for words in _THEN:
                 if start := self.past_any(end, words):
@@ -171,7 +185,9 @@ class Reader(Commands):
                 found += self._spelled(start + 1)
             found += self._statement(start)
             found += [(Clause(what, said, mood), end) for what, said, end in self._existing(start)]
-        found += [*self._left_alone(at), *self._unmoved(at)]
+        found += [*self._left_alone(at), *self._unmoved(at), *self._read_off(at)]
+        if end := self.past_any(at, *_UNLIKE):
+            found.append((Clause(Pronoun("it"), (Place("unlike"),), "must"), end))
         found += self.begun(at)
         found += self.lying(at)
         found += self._narrowed(at)
@@ -205,6 +221,18 @@ class Reader(Commands):
         for them, end in self.phrase(self.past_any(at, "do not let") or at):
             if (stop := self.past_any(end, *_NOT_TOGETHER)) and _several_named(them):
                 found.append((Clause(them, (Among(no=True),), "must"), stop))
+        return found
+
+    def _read_off(self, at: int) -> Ways[Clause]:
+        """ "so it reads CAT", "the row says DOG": which word is read from blocks."""
+        start = self.past_any(at, "so that", "so", "and so") or at
+        found: Ways[Clause] = []
+        for what, end in self.simple(start) if start > at or self.text(at) in {"the", "it", "they", "together"} else ():
+            word_at = self.past_any(end, *_READS)
+            item = self.items[word_at] if 0 < word_at < len(self.items) else None
+            word = item.value or (item.raw if item.raw.isupper() else "") if item is not None else ""
+            if len(word) > 1 and word.isalpha():
+                found.append((Clause(what, (Reads(word),), "so"), word_at + 1))
         return found
 
     def _left_alone(self, at: int) -> Ways[Clause]:

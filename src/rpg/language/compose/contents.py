@@ -6,7 +6,7 @@ from abc import ABC, abstractmethod
 from dataclasses import replace
 
 from rpg.language import lexicon
-from rpg.language.compose.items import RANK
+from rpg.language.compose.items import FIGURE, RANK
 from rpg.language.compose.storeys import Storeys
 from rpg.language.compose.syntax import Both, Chain, Clause, Label, Listing, Noun, Phrase, Place, Predicate
 from rpg.language.compose.words import Ways
@@ -72,6 +72,10 @@ class Contents(Storeys, ABC):
             found += [(chain, end) for chain, end in self.single(each) if isinstance(chain, Chain)]
             if found:
                 return found
+        if has := self.each_has(at):
+            found += self.phrase(has)
+            if self.number(has) and self.text(has + 1) != "block":
+                found.append((Noun(count=self.number(has), noun="block", many=True), has + 1))
         if end := self.past_any(at + aside, *_MADE_OF):
             if aside:
                 return [(noun, stop + (self.text(stop) == ",")) for noun, stop in self.phrase(end)]
@@ -90,6 +94,14 @@ class Contents(Storeys, ABC):
         if self.text(at) == "of" and (numbers := self._numbers(at + 1))[0]:
             found.append((Listing(numbers[0]), numbers[1]))
         return found
+
+    def each_has(self, at: int) -> int:
+        """ "(three towers,) and every tower has (two white blocks)": where it is told what each is made of; else 0."""
+        start = self.past_any(at, "and", ", and", ",", ".", ";", ":")
+        if not start or self.text(start) not in {"each", "every", "both"}:
+            return 0
+        of = self.past_any(start + 1, "of them", "one", "of these") or start + 1 + (self.text(start + 1) in FIGURE)
+        return self.past_any(of, "has", "have", "is of", "is made of", "consists of", "contains", "is made from")
 
     def _numbers(self, at: int) -> tuple[tuple[Noun, ...], int]:
         """ "two, three and four red blocks": of how many blocks each of several towers is."""

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from rpg.language import lexicon
-from rpg.language.compose.items import PART, PATCH, RANK, SYMBOL, TABLE
+from rpg.language.compose.items import FIGURE, PART, PATCH, RANK, SYMBOL, TABLE
 from rpg.language.compose.measures import Measures
 from rpg.language.compose.syntax import Label, Noun, Phrase
 
@@ -122,7 +122,7 @@ class Heads(Measures):
             yield from ((patch, end) for patch, end in shaped if patch.noun == "patch")
         if spaced := self.past_any(at, "evenly spaced", "equally spaced"):
             yield from self._head(spaced, replace(noun, gaps=", evenly spaced"))
-        if text in {"plain", "such", "more"}:
+        if text in {"plain", "such", "more"} or (text == "upright" and self.text(at + 1) in FIGURE):
             yield from self._head(at + 1, noun)
         for with_size, end in self.sized(noun, at):
             yield from self._head(end, with_size)

@@ -26,6 +26,8 @@ def make(scene: Scene, noun: Noun, kind: str, resolve: Resolve) -> int:
         if content.bound not in {"", "exactly"} or prod(size or (content.count,)) != content.count:
             raise Unclear
         size, content = size or (content.count,), None
+    stocked = _all_there_is(scene, noun, content, size)
+    content = None if stocked else content
     figure = Figure(kind, [], size if len(size) > 1 else (), noun.word, way=noun.way, gaps=noun.gaps)
     if noun.word == "pair" and (not isinstance(content, Chain) or len(content.parts) != 2):
         raise Unclear  # of what stands side by side, or of what lies on what
@@ -61,7 +63,8 @@ def make(scene: Scene, noun: Noun, kind: str, resolve: Resolve) -> int:
             size = (len(alike[-1].blocks),)
         if not noun.color and any(scene.blocks[f.blocks[0]].color or f.stage < 0 for f in scene.figures):
             raise Unclear  # of the same colour as that one, or of another; of its blocks, or of others
-        figure.blocks = scene.new_blocks(_how_many(scene, noun, kind, size), noun.color)
+        figure.blocks = stocked or scene.new_blocks(_how_many(scene, noun, kind, size), noun.color)
+        figure.free = bool(stocked) and not scene.alike(stocked)
     if noun.color and any(scene.blocks[n].color != noun.color for n in figure.blocks):
         raise Unclear
     _check_size(figure, size, noun)
@@ -77,6 +80,16 @@ def make(scene: Scene, noun: Noun, kind: str, resolve: Resolve) -> int:
     scene.figures.append(figure)
     scene.here = here  # "it" is the figure, not what it is made of
     return len(scene.figures) - 1
+
+
+def _all_there_is(scene: Scene, noun: Noun, content: Phrase | None, size: tuple[int, ...]) -> list[int]:
+    """ "(Two red blocks, two white blocks,) one tower of four": of all that the text said there is, if so many."""
+    there = [n for lot in scene.stock for n in lot]
+    bare = isinstance(content, Noun) and content == Noun(count=content.count, noun="block", many=True)
+    many = content.count if bare and isinstance(content, Noun) else prod(size) if content is None else 0
+    used = scene.used | {n for figure in scene.figures for n in figure.blocks}
+    plain = not (noun.color or noun.word or noun.limbs) and noun.count < 2 and not noun.many
+    return there if there and plain and many == len(there) and not used & set(there) else []
 
 
 def _how_many(scene: Scene, noun: Noun, kind: str, size: tuple[int, ...]) -> int:

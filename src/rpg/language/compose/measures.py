@@ -45,6 +45,7 @@ _IN_TURN = tuple(
                   "whose colors alternate", "with the colors alternating", "colors alternating", "in turn")
 )  # fmt: skip
 _UPWARD = frozenset({"from the bottom up", "from bottom to top", "from bottom up", "bottom to top"})
+_LAYERS = tuple(f"{with_}{layers}" for with_ in ("", "with ", "in ") for layers in ("layer of", "row of"))
 _RUNNING = tuple(f"{run} {way}" for run in ("running", "going", "that runs", "which runs", "extending")
                  for way in ("from front to back", "front to back", "from back to front"))  # fmt: skip
 _WAYS: dict[str, tuple[str, ...]] = {
@@ -129,12 +130,25 @@ class Measures(Limbs):
                 size = (self.number(rows), self.number(across))
                 size = size if noun.noun == "grid" else size[::-1]
                 yield replace(noun, size=size, color=color or noun.color), across + 2 + bool(color)
+        if noun.noun == "pyramid":
+            yield from self._layered(noun, at)
         base = self.past_any(at, "with a base of", "on a base of", "that has a base of")
         if noun.noun == "pyramid" and base and self.number(base):
             yield (
                 replace(noun, size=(pyramid_size((self.number(base), 1)),)),
                 base + 1 + (self.text(base + 1) == "block"),
             )
+
+    def _layered(self, noun: Noun, at: int) -> Iterator[tuple[Noun, int]]:
+        """ "with layers of 4, 3, 2 and 1": a pyramid by its layers."""
+        start = end = self.past_any(at + (self.text(at) == ","), *_LAYERS)
+        found: list[int] = []
+        while start and self.number(start):
+            found.append(self.number(start))
+            end = start + 1
+            start = self.past_any(end, "and", ",", ", and", ", then", "then")
+        if len(found) > 1 and found == list(range(found[0], 0, -1)):
+            yield replace(noun, size=(pyramid_size((found[0], 1)),)), end + (self.text(end) == "block")
 
     def heights(self, at: int) -> tuple[list[int], int]:
         """ "two, three and four blocks high", "heights two and three": the numbers of several, and where that ends."""

@@ -167,6 +167,8 @@ def _by_rank(scene: Scene, noun: Noun) -> Ref:
     if (noun.nth or noun.ranks == ("last",)) and scene.figures and not scene.whole and has_first(scene.figures[-1]):
         return part(scene, noun, resolve)
     if noun.nth and not noun.ranks:
+        if (counted := _in_turn(scene, noun)) is not None:
+            return counted
         left = [n for n in scene.whole if n not in scene.taken]
         if scene.whole and noun.nth == len(scene.whole) and len(left) == 1:
             return take(scene, left)
@@ -184,6 +186,19 @@ def _by_rank(scene: Scene, noun: Noun) -> Ref:
     if noun.noun == "one" and same and (scene.lines or noun.ranks[0] in sides):
         return _of_figures(scene, noun, [n for n, figure in enumerate(scene.figures) if figure in built])
     return part(scene, noun, resolve)
+
+
+def _in_turn(scene: Scene, noun: Noun) -> Ref | None:
+    """ "(Three towers of two;) the first one is on the red patch, the second on the blue one": of what looks alike."""
+    towers = [figure for figure in scene.figures if figure.kind == "tower" and not figure.implied]
+    looks = {tuple(scene.blocks[n].look[:2] for n in figure.blocks) for figure in towers}
+    bare = replace(noun, nth=0, det="") == Noun(noun="one") and noun.det in {"the", ""}
+    if bare and 1 < len(towers) == len(scene.figures) >= noun.nth and len(looks) == 1 and not scene.lines:
+        return None if scene.whole or scene.facing else Ref("figure", [noun.nth - 1])
+    left = [n for n in scene.whole if n not in scene.taken]
+    if bare and not scene.figures and left and noun.nth == len(scene.taken) + 1 and scene.alike(scene.whole):
+        return take(scene, left[:1])
+    return None
 
 
 def _of_figures(scene: Scene, noun: Noun, ids: list[int]) -> Ref:

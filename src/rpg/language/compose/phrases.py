@@ -230,7 +230,7 @@ class Phrases(Relatives):
     def _filled(self, noun: Noun, at: int) -> Iterator[tuple[Noun, int]]:
         """What figures are made of; what "four" are may be told behind it: "of four, out of two red and two blue"."""
         apart = at + (self.text(at) == ",")
-        of_each = self.text(apart) in {"each", "both"} or self.text(apart + 2) == "both"
+        of_each = self.text(apart) in {"each", "both"} or self.text(apart + 2) == "both" or self.each_has(at) > 0
         made = "of" if self.text(at) in {"of", ",", ":"} else "from"
         made = "from the" if made == "from" and self.text(at + 1) == "the" else made
         for of, stop in self._content(at):

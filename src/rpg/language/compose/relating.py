@@ -11,6 +11,7 @@ from rpg.language.compose.nouns import resolve
 from rpg.language.compose.ordering import put_in_order
 from rpg.language.compose.parts import whole_figures
 from rpg.language.compose.places_of import places
+from rpg.language.compose.reading import take_turns
 from rpg.language.compose.resting import on, on_patch, tops_of
 from rpg.language.compose.scene import SIDES, Fact, Figure, Ref, Scene, Unclear
 from rpg.language.compose.syntax import Both, Noun, Phrase, Place
@@ -42,6 +43,9 @@ def bare(scene: Scene, ref: Ref, said: Place) -> None:
     elif name in {"side by side", "touching", "apart"} and not ref.each and not ref.bound:
         if ref.rest or len(ref.ids) < 2:
             raise Unclear
+        if name == "side by side" and not said.no and len(ref.ids) > 2 and _are_letters(scene, ref):
+            forms(scene, ref, Noun(det="a", noun="line"))  # "the letters C, A and T next to each other"
+            return
         if len(ref.ids) != 2 and (name != "apart" and not said.no):
             raise Unclear
         word = {"side by side": "next to", "touching": "touch", "apart": "apart"}[name]
@@ -52,6 +56,8 @@ def bare(scene: Scene, ref: Ref, said: Place) -> None:
         scene.facts += [
             Fact(Ref(ref.kind, [a]), word, Ref(ref.kind, [b]), no=said.no) for a, b in combinations(ref.ids, 2)
         ]
+    elif name == "unlike" and ref.kind == "figure" and len(ref.ids) == 1:
+        take_turns(scene, scene.figures[ref.ids[0]])
     elif name == "any order" and not said.no:
         _in_any_order(scene, ref)
     elif name == "sorted" and ref.kind == "figure" and not said.no:
@@ -69,6 +75,10 @@ def bare(scene: Scene, ref: Ref, said: Place) -> None:
         _in_figure(scene, ref, name, no=said.no, inside=said.how == "at" and name in SIDES)
     else:
         raise Unclear
+
+
+def _are_letters(scene: Scene, ref: Ref) -> bool:
+    return ref.kind == "block" and all(scene.blocks[n].label for n in ref.ids)
 
 
 def _in_any_order(scene: Scene, ref: Ref) -> None:

@@ -62,7 +62,7 @@ class Stated(Heights):
     def _fronted(self, at: int) -> Ways[Clause]:
         """ "behind it another row", "between both is the digit 0", "beside this stack goes a tower"."""
         found: Ways[Clause] = []
-        if within := self.past_any(at, "in", "of"):
+        if within := self.past_any(at, "in", "of", "out of"):
             wholes = [way for way in self.phrase(within) if isinstance(way[0], Noun | Both)]
             found += [(Clause(what, (), "in"), end) for what, end in wholes]
         found += self.colors_in_turn(at)

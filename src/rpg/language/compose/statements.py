@@ -18,6 +18,7 @@ from rpg.language.compose.nouns import resolve
 from rpg.language.compose.one_each import each_of_a_new_one, one_by_one, one_for_each
 from rpg.language.compose.others import check_only
 from rpg.language.compose.pronouns import landmark
+from rpg.language.compose.reading import read_as
 from rpg.language.compose.relating import at_part, bare, between, in_region, place
 from rpg.language.compose.resting import on, tops_of
 from rpg.language.compose.scene import Fact, Impossible, Ref, Scene, Unclear
@@ -54,6 +55,7 @@ from rpg.language.compose.syntax import (
     Place,
     Predicate,
     Pronoun,
+    Reads,
     Shares,
     any_number,
     changes,
@@ -175,7 +177,7 @@ def _say(scene: Scene, clause: Clause) -> None:
     if colored_in_turn(scene, clause):
         return
     told = told_in_turn(scene, clause)
-    if told is None or kept_clear(scene, told):
+    if told is None or kept_clear(scene, told) or read_as(scene, told):
         return
     clause = at_its_side(scene, about_a_block(scene, told_of_figures(scene, told)))
     subject = clause.subject
@@ -327,7 +329,7 @@ def _said(scene: Scene, ref: Ref, said: Predicate) -> None:
         looks(scene, ref, said)
     elif isinstance(said, Bears):
         _bears(scene, ref, said)
-    elif isinstance(said, Among | Change | Holds | Holding | InTurn | NotBoth):
+    elif isinstance(said, Among | Change | Holds | Holding | InTurn | NotBoth | Reads):
         raise Unclear
     elif said.relation == "region":
         in_region(scene, ref, said)

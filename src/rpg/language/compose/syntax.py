@@ -172,6 +172,13 @@ class Shares:
 
 
 @dataclass(frozen=True, slots=True)
+class Reads:
+    """Which word they show: "so it reads CAT"."""
+
+    word: str
+
+
+@dataclass(frozen=True, slots=True)
 class NotBoth:
     """Of two that "or" joins, the other one is not there."""
 
@@ -208,7 +215,7 @@ TOLD = frozenset({"", "so", "there", "start", "lies", "with", "in"})
 STAY = Place("stay")
 """What is said of things that stay where they are."""
 Predicate = (
-    Among | Change | InLine | InTurn | Shares | NotBoth | Place | Made | Looks | Bears | Holds | Holding | Either
+    Among | Change | InLine | InTurn | Reads | Shares | NotBoth | Place | Made | Looks | Bears | Holds | Holding | Either
 )
 
 

@@ -58,12 +58,7 @@ def make(scene: Scene, noun: Noun, kind: str, resolve: Resolve) -> int:
         figure.blocks = [scene.new_blocks(1, "", letter)[0] for letter in noun.word]
         figure.told = True
     else:
-        alike = [f for f in scene.figures if f.kind == kind]
-        if noun.det == "another" and not size and alike and noun.color:
-            size = (len(alike[-1].blocks),)
-        if not noun.color and any(scene.blocks[f.blocks[0]].color or f.stage < 0 for f in scene.figures):
-            raise Unclear  # of the same colour as that one, or of another; of its blocks, or of others
-        figure.blocks = stocked or scene.new_blocks(_how_many(scene, noun, kind, size), noun.color)
+        figure.blocks = stocked or _further(scene, noun, kind, size)
         figure.free = bool(stocked) and not scene.alike(stocked)
     if noun.color and any(scene.blocks[n].color != noun.color for n in figure.blocks):
         raise Unclear
@@ -90,6 +85,16 @@ def _all_there_is(scene: Scene, noun: Noun, content: Phrase | None, size: tuple[
     used = scene.used | {n for figure in scene.figures for n in figure.blocks}
     plain = not (noun.color or noun.word or noun.limbs) and noun.count < 2 and not noun.many
     return there if there and plain and many == len(there) and not used & set(there) else []
+
+
+def _further(scene: Scene, noun: Noun, kind: str, size: tuple[int, ...]) -> list[int]:
+    """Further blocks that look alike."""
+    alike = [f for f in scene.figures if f.kind == kind]
+    if noun.det == "another" and not size and alike and noun.color:
+        size = (len(alike[-1].blocks),)
+    if not noun.color and any(scene.blocks[f.blocks[0]].color or f.stage < 0 for f in scene.figures):
+        raise Unclear  # of the same colour as that one, or of another; of its blocks, or of others
+    return scene.new_blocks(_how_many(scene, noun, kind, size), noun.color)
 
 
 def _how_many(scene: Scene, noun: Noun, kind: str, size: tuple[int, ...]) -> int:

@@ -210,7 +210,7 @@ ALL = frozenset({"each", "all", "both"})
 """What is said of every one of several."""
 TOWER = Noun(det="a", noun="tower")
 NOTHING = Noun(det="no", noun="block")
-TOLD = frozenset({"", "so", "there", "start", "lies", "with", "in"})
+TOLD = frozenset({"", "so", "there", "seen", "start", "lies", "with", "in"})
 """The moods of what may be so at the start."""
 STAY = Place("stay")
 """What is said of things that stay where they are."""

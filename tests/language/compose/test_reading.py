@@ -35,6 +35,11 @@ CASES: dict[str, dict[str, Any]] = {
         "hold": ["pink^gray^pink^gray", "gray^pink^gray^pink"],
         "miss": ["pink^gray^gray^pink", "pink^pink^gray^gray", "pink^gray ; pink^gray"],
     },
+    "three blocks, all white, are on the pink mat. two more blocks, both brown, are outside of the mat": {
+        "assets": {"white": 3, "brown": 2, "pink_patch": 1},
+        "hold": ["white white white at=pink_patch ; brown brown"],
+        "miss": ["white white white brown at=pink_patch ; brown", "white white at=pink_patch ; white ; brown brown"],
+    },
     "Out of the five green cubes three belong on the gray mat and the remaining two on the cyan mat.": {
         "assets": {"green": 5, "gray_patch": 1, "cyan_patch": 1},
         "hold": ["green green green at=gray_patch ; green green at=cyan_patch"],

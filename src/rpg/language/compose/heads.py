@@ -51,6 +51,7 @@ RELATIONS = sorted(
 )
 
 
+_ALL_OF = (", both", ", all", ", both of them", ", all of them", ", each")
 _ALONE = frozenset({"tall", "short", "big", "small", "former", "latter", "last"})
 _TRAITS = {"round": "round", "circular": "round", "long": "long", "rectangular": "rectangular", "square": "square"}
 """What is said of the shape of a patch."""
@@ -149,6 +150,10 @@ class Heads(Measures):
             yield replace(noun, noun="bottom"), stem  # of a T
         word = "pair" if text == "pair" else noun.word if kind == "patch" else word
         yield replace(noun, noun=kind, many=noun.many or item.many, word=word), end
+        all_of = self.past_any(end, *_ALL_OF) if kind in {"block", "one"} and noun.count > 1 and not noun.color else 0
+        hue = lexicon.COLOR.get(self.text(all_of), "") if all_of else ""
+        if hue and self.text(all_of + 1) == ",":  # "two more blocks, both black,"
+            yield replace(noun, noun="block", many=True, color=hue), all_of + 2
         if kind == "block" and self.text(at + 1) in {"tower", "row"} and noun.count:
             size = (noun.count,)
             yield replace(noun, count=0, size=size, noun=self.text(at + 1), many=self.items[at + 1].many), at + 2

@@ -215,7 +215,20 @@ TOLD = frozenset({"", "so", "there", "seen", "start", "lies", "with", "in"})
 STAY = Place("stay")
 """What is said of things that stay where they are."""
 Predicate = (
-    Among | Change | InLine | InTurn | Reads | Shares | NotBoth | Place | Made | Looks | Bears | Holds | Holding | Either
+    Among
+    | Change
+    | InLine
+    | InTurn
+    | Reads
+    | Shares
+    | NotBoth
+    | Place
+    | Made
+    | Looks
+    | Bears
+    | Holds
+    | Holding
+    | Either
 )
 
 

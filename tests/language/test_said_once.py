@@ -14,6 +14,8 @@ from tests.language.meaning import code_of, means
          "in a row in the order a white block, then the two red blocks, then a white block"),
         ("Lay a red block at the back and one at the front end of a column of three white blocks.",
          "in the order a red block, then the three white blocks, then a red block"),
+        ("Put a white block at the beginning and at the end of a line of two red blocks.",
+         "in a line in the order a white block, then the two red blocks, then a white block"),
         ("Put a white block on the bottom and on the top of a stack of two black blocks.",
          "stacked from bottom to top in the order a white block, then the two black blocks, then a white block"),
     ],

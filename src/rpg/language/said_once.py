@@ -18,9 +18,10 @@ def _ends(one: str, other: str, end: str) -> str:
     return f"{_AT} {one}(?: end)? and (?:also )?(?:one )?(?:{_AT} )?(?:the )?{other}{end}"
 
 
-_PAIRS = (("left", "right"), ("front", "back"), ("front", "rear"), ("near", "far"), ("top", "bottom"))
+_PAIRS = (("left", "right"), ("front", "back"), ("front", "rear"), ("near", "far"), ("start", "end"),
+          ("beginning", "end"), ("top", "bottom"))  # fmt: skip
 _BOTH_ENDS = "|".join(
-    _ends(one, other, "(?: ends?)?" if "top" in pair else " ends?")
+    _ends(one, other, "(?: ends?)?" if {"top", "end"} & {*pair} else " ends?")
     for pair in _PAIRS
     for one, other in (pair, pair[::-1])
 )

@@ -23,6 +23,7 @@ _IN_ITS_PLACE = tuple(
     for goes in ("goes", "comes", "put")
 )
 _IN_FRONT_OF_IT = (("in", "front", "of", "it"), ("behind", "it"))
+_ON_NEITHER = ((",", "on", "neither"), ("but", "on", "neither"), ("but", "not", "on", "either"))
 _SIDES = frozenset({"top", "bottom", "upper", "lower"})
 _ENDS = frozenset({".", "!", ";", ",", "and", "in", "into", "as", "up"})
 _MADE_OF = frozenset({"stack", "pile", "of", "lay", "put", "line", "arrange"})
@@ -152,7 +153,7 @@ def _of_patch(words: Sequence[Token], at: int) -> bool:
 
 def _neither_of_which(words: Sequence[Token]) -> None:
     """Refuse "put red next to both blue ones but on neither, and green on both" as green on neither."""
-    for at in _behind(words, (("but", "on", "neither"), ("but", "not", "on", "either"))):
+    for at in _behind(words, _ON_NEITHER):
         if any(token.word == "both" for token in words[at:]):
             raise refuse(
                 "ambiguous", "which block is on neither?", words[at - 1].span, "say it in a sentence of its own"
@@ -162,8 +163,11 @@ def _neither_of_which(words: Sequence[Token]) -> None:
 def _in_time(words: Sequence[Token], task: TaskSchema) -> None:
     """Refuse "first the tower, last the row; in between put yellow on the mat" as yellow in the middle of the row."""
     said = {token.word for token in words}
-    for at in _behind(words, (("in", "between"),)) if {"first", "last"} <= said else ():
-        if any(isinstance(part, Ordered) for part in within(task.goal)):
+    ends = bool(said & {"begin", "start"}) and bool(said & {"end", "finish", "goal"})  # "begin with ..., end with ..."
+    several = sum(token.word in lexicon.STRUCTURE and token.word not in lexicon.PATCH for token in words) > 1
+    for at in _behind(words, (("in", "between"),)) if {"first", "last"} <= said or ends else ():
+        done = ends and several and any(token.word in lexicon.COMMANDS for token in words[at : at + 1])
+        if done or any(isinstance(part, Ordered) for part in within(task.goal)):
             raise refuse("ambiguous", "is this a place, or a time?", words[at - 1].span, "say what is done when")
 
 

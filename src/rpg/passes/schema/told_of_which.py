@@ -163,10 +163,10 @@ def _neither_of_which(words: Sequence[Token]) -> None:
 def _in_time(words: Sequence[Token], task: TaskSchema) -> None:
     """Refuse "first the tower, last the row; in between put yellow on the mat" as yellow in the middle of the row."""
     said = {token.word for token in words}
-    ends = bool(said & {"begin", "start"}) and bool(said & {"end", "finish", "goal"})  # "begin with ..., end with ..."
+    begun = bool(said & {"begin", "start"})  # "begin with the tower and end with the row; in between put ..."
     several = sum(token.word in lexicon.STRUCTURE and token.word not in lexicon.PATCH for token in words) > 1
-    for at in _behind(words, (("in", "between"),)) if {"first", "last"} <= said or ends else ():
-        done = ends and several and any(token.word in lexicon.COMMANDS for token in words[at : at + 1])
+    for at in _behind(words, (("in", "between"),)) if {"first", "last"} <= said or begun else ():
+        done = begun and several and any(token.word in lexicon.COMMANDS for token in words[at : at + 1])
         if done or any(isinstance(part, Ordered) for part in within(task.goal)):
             raise refuse("ambiguous", "is this a place, or a time?", words[at - 1].span, "say what is done when")
 

@@ -13,6 +13,7 @@ from rpg.language.grammar.rows.turned import Turns, all_of_it, turned
 from rpg.language.grammar.rows.vocabulary import COLOR, MANY, PATCH, PATCHES, number
 from rpg.language.patterns import on_demand
 from rpg.language.tokens import Token
+from rpg.language.told_by_others import told_by_others
 
 _IS = "(that|which) (is|are)"
 _NOR = Turns([
@@ -41,7 +42,7 @@ def singled_out(tokens: list[Token]) -> tuple[list[Token], list[str]]:
         tokens = _alike(tokens)
     if not words.isdisjoint(("alphabet", "alphabetically")):
         tokens = _by_alphabet(tokens)
-    return tokens, []
+    return told_by_others(tokens), []
 
 
 def _alike(tokens: list[Token]) -> list[Token]:

@@ -29,7 +29,8 @@ _EACH_OF = rf"\beach of the (?:\w+ ){{0,2}}(?:{PATCHES}|corners)\b"
 _WITH_ONE_EACH = (on_demand(rf"{_EACH_OF}[^.;!?]*{_WITH_ONE}"), on_demand(rf"{_WITH_ONE}[^.;!?]*{_EACH_OF}"))
 _UPON = "(?:on|onto|on top of|atop|across|over)"
 _BOTH = (
-    rf"{_UPON} (?:both|all(?: of)? (?:four|three|of (?:them|these|those)))\b(?! (?:of )?(?:the )?(?:{PATCH}|{PATCHES}))"
+    rf"{_UPON} (?:both|all(?: of)? (?:four|three|of (?:them|these|those)))\b"
+    rf"(?! (?:of )?(?:the )?(?:\w+ )?(?:{PATCH}|{PATCHES}|sides|ends|corners)\b)"
 )
 _ONE = rf"\b(?:one|a single|single|plain|an?) (?P<look>{COLOR}) {CUBE}\b"
 _ONE_ON_BOTH = (

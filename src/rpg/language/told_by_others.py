@@ -19,7 +19,7 @@ _SIDES = {"above": "top", "over": "top", "on top of": "top", "below": "bottom", 
 _ACROSS = {"top": "bottom", "bottom": "top", "left": "right", "right": "left", "front": "back", "back": "front"}
 _NEXT = on_demand(
     rf"\bthe (?P<nth>{'|'.join(lexicon.ORDINAL)})(?: one| {CUBE})? from the (?P<end>{'|'.join(_ACROSS)})"
-    rf" (?:(?:is|be|must be|should be) )?(?:an? )?{COLOR}(?: one| {CUBE})?(?: [,;])?(?: and)? "
+    rf" (?:(?:is|be|must be|should be) )?(?:an? )?{COLOR}(?: one| {CUBE})?(?: [,;.])?(?: and)? "
     rf"(?P<next>the (?:next )?(?:one|{CUBE}) (?:(?:right|directly|just|immediately) )?"
     rf"(?:(?P<way>{'|'.join(_SIDES)}) (?:it|that|this)(?: one)?|to its (?P<its>left|right)))(?= )"
 )

@@ -48,7 +48,7 @@ _EMPTY_THERE = on_demand(
     r"|\b(?:leav\w+|keep\w*) (?:its|the) (?:\w+ ){0,2}(?:middle|center|corner)(?: of the \w+(?: \w+)?)? free\b"
 )
 _ON_ITS_LINE = on_demand(r"\bon (?:top of )?(?:its|the|this|that) (?:\w+ )?(?:row|column)\b")
-_PUT = frozenset({"put", "place", "lay", "set", "stack", "add", "pile"})
+_PUT = frozenset({"put", "place", "lay", "set", "stack", "add", "pile", "lie", "lies", "rest", "rests", "sit", "sits"})
 _FILLED = on_demand(
     rf"\b(?P<rows>\d)x(?P<columns>\d) (?:grid|square|rectangle|array|matrix) (?:made )?(?:out )?of (?:{MANY} )?"
     rf"(?P<look>{COLOR})\b"

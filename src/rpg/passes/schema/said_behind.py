@@ -21,7 +21,6 @@ from rpg.language.patterns import on_demand
 from rpg.language.tokens import Token
 from rpg.passes.schema.brought_in import check_brought_in
 from rpg.passes.schema.ends_of_which import check_ends_of_which
-from rpg.passes.schema.had_so_often import check_had_so_often
 from rpg.passes.schema.line_told import check_lines
 from rpg.passes.schema.mats_listed import check_mat_or_block, check_mats_listed
 from rpg.passes.schema.modifiers_had import check_modifiers
@@ -72,7 +71,6 @@ def check_behind(tokens: list[Token], task: TaskSchema) -> None:
     check_mat_or_block(tokens, task)
     check_towers_stacked(tokens, task)
     check_one_on_other(tokens, task)
-    check_had_so_often(tokens, task)
 
 
 _SIDE = r"(?:on|at) the (?:\w+ )?(?:left|right|top|bottom|front|back|near|far)(?: end| side)?"

@@ -14,6 +14,7 @@ from rpg.language.grammar.rows.parting import STOPS, sentences
 from rpg.language.grammar.rows.vocabulary import COLOR, CUBE, PATCH, PATCHES
 from rpg.language.patterns import on_demand
 from rpg.language.tokens import Token
+from rpg.passes.schema.had_so_often import check_had_so_often
 from rpg.passes.schema.resolve.things.world import refuse
 
 _OF_ALL = on_demand(
@@ -35,11 +36,13 @@ _NONE = on_demand(rf", none of (?:them|these)(?: is| are)? ({COLOR})$")
 
 
 def check_said_of_all(tokens: Sequence[Token], task: TaskSchema) -> None:
-    """Refuse a task in which what is told of all at the end was taken as of some, or changed nothing.
+    """Refuse a task in which what is told of all at the end was taken as of some, or changed nothing, and one that has
+    blocks for each that are told for all.
 
     Raises:
         Refusal: "ambiguous", or "contradiction" where what was told before is otherwise.
     """
+    check_had_so_often(tokens, task)
     unsaid = any(note.startswith((COLORS_UNSAID, "the colours are not said")) for note in task.assumptions)
     patch = task.assumed("the colour of the patch is not said")
     whole = " ".join(token.word for token in tokens) if unsaid or patch else ""

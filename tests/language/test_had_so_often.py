@@ -59,6 +59,7 @@ MEANT: dict[str, dict[str, Any]] = {
     },
     "Tower A has two green blocks, tower B has three red blocks; A is left of B.": GREEN_LEFT,
     "Tower 1 has two green blocks, tower 2 has three red blocks. 1 stands left of 2.": GREEN_LEFT,
+    "Tower A: two green blocks. Tower B: three red blocks. A is left of B.": GREEN_LEFT,
     "Put twice as many green blocks as white blocks on the mat: four green and two white ones.": FIVE_THERE,
     "Put more green than white blocks on the mat: two white and four green ones.": FIVE_THERE,
     "Put as many green as white cubes on the mat, two of each.": {
@@ -87,6 +88,11 @@ MEANT: dict[str, dict[str, Any]] = {
         "hold": ["green^red white green^red"],
         "miss": ["green^red green^red white", "red^green white green^red"],
     },
+    "A green and a white block stand side by side, and a red block lies on both.": {
+        "assets": {"green": 1, "white": 1, "red": 1},
+        "hold": ["side red(0,-0.5) | green white"],
+        "miss": ["green^red white"],
+    },
     "Build two towers of two red blocks, and put one white block on each.": {
         "assets": {"red": 4, "white": 2},
         "hold": ["red^red^white . red^red^white"],
@@ -97,6 +103,8 @@ REFUSED = (
     "Two towers of two green cubes each, and one white cube on top of both.",
     "A square of four green cubes, and a single red cube lies on all of them.",
     "Build a gate: two towers of two white cubes, with a red cube lying on top of both.",
+    "Build a tower of two green cubes and a tower of two white cubes, with one red cube on top of both.",
+    "Two towers of two green cubes each, and one white cube on top of them.",
     "Leave the back left corner of the 3x3 square empty, the other eight cubes are white.",
     "Build a 3x3 grid of white blocks and leave its middle empty.",
     "Make a 3x3 grid of green blocks. On its middle row put three white blocks.",

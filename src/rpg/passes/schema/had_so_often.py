@@ -8,7 +8,8 @@ from collections.abc import Iterator, Sequence
 from itertools import chain, pairwise
 
 from rpg.ir.assets import SemanticCube
-from rpg.ir.relations import Above, Clear
+from rpg.ir.node import members
+from rpg.ir.relations import Above, Clear, On
 from rpg.ir.schema import TaskSchema
 from rpg.ir.structures import Grid, Stack
 from rpg.ir.walk import atoms, names
@@ -37,6 +38,7 @@ _ONE_ON_BOTH = (
     on_demand(rf"{_ONE}(?: \w+){{0,3}}? {_BOTH}"),
     on_demand(rf"{_BOTH}(?: of (?:them|these|those|the \w+))?(?: \w+){{0,2}}? {_ONE}"),
 )
+_ONE_ON_THEM = on_demand(rf"{_ONE.replace('|an?)', ')')}(?: \w+){{0,3}}? {_UPON} them\b")
 _BETWEEN_TOWERS = on_demand(
     rf"\b(?:the|an?|one) (?P<look>\w+) {CUBE} (?:\w+ ){{0,3}}?between (?:the )?two (?:\w+ )?(?:towers|stacks|piles)\b"
 )
@@ -132,9 +134,13 @@ def _besides(text: str, task: TaskSchema) -> _Asked:
 def _which(text: str, looks: Counter[str], task: TaskSchema) -> _Asked:
     """ "One blue block on top of both", "leave the corner of the square empty", "tower A has ...; A is left of B",
     "twice as many red as blue blocks: four red ones"."""
-    for found in chain.from_iterable(pattern.finditer(text) for pattern in _ONE_ON_BOTH):
-        if looks[lexicon.COLOR[found["look"]]] > 1 == text.split().count(found["look"]):
-            yield "one block that lies across them, or one on each?", "say 'each', or on which blocks it lies"
+    asked = "one block that lies across them, or one on each?", "say 'each', or on which blocks it lies"
+    for pattern in (*_ONE_ON_BOTH, _ONE_ON_THEM):
+        for found in pattern.finditer(text):
+            color, told = lexicon.COLOR[found["look"]], text.split().count(found["look"])
+            alone = pattern is not _ONE_ON_THEM and looks[color] == 1
+            if told == 1 and (looks[color] > 1 or (alone and _on_one(color, task))):
+                yield asked
     if task.assumed("a block on four others") and not {"towers", "stacks", "piles"}.isdisjoint(text.split()):
         yield "a block across towers, or one on each?", "say on which blocks it lies"
     if _EMPTY_THERE.search(text):
@@ -149,6 +155,13 @@ def _which(text: str, looks: Counter[str], task: TaskSchema) -> _Asked:
             )
     if left_over(text):
         yield "so many that are there, or so many of all?", "say it in a sentence of its own"
+
+
+def _on_one(color: str, task: TaskSchema) -> bool:
+    """Whether the one block of a colour has to be on one other, or on one tower, and that is all."""
+    (name,) = (block.name for block in task.blocks if block.color == color)
+    told = [x for x in atoms(task.goal) if name in names(x)]
+    return len(told) == 1 and isinstance(told[0], On) and name in members(told[0].a)
 
 
 def _cubes_called(name: str, text: str) -> bool:

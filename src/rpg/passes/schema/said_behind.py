@@ -20,6 +20,7 @@ from rpg.language.grammar.rows.parting import STOPS, sentences
 from rpg.language.patterns import on_demand
 from rpg.language.tokens import Token
 from rpg.passes.schema.brought_in import check_brought_in
+from rpg.passes.schema.could_be_both import check_could_be_both
 from rpg.passes.schema.ends_of_which import check_ends_of_which
 from rpg.passes.schema.line_told import check_lines
 from rpg.passes.schema.mats_listed import check_mat_or_block, check_mats_listed
@@ -71,6 +72,7 @@ def check_behind(tokens: list[Token], task: TaskSchema) -> None:
     check_mat_or_block(tokens, task)
     check_towers_stacked(tokens, task)
     check_one_on_other(tokens, task)
+    check_could_be_both(tokens, task)
 
 
 _SIDE = r"(?:on|at) the (?:\w+ )?(?:left|right|top|bottom|front|back|near|far)(?: end| side)?"

@@ -159,6 +159,8 @@ def _parted(pieces: Sequence[Piece]) -> list[Piece]:
         end = next((k for k in range(n + 1, len(pieces)) if pieces[k].kind in ("stop", "from", "figure")), len(pieces))
         if "slot" in [p.kind for p in pieces[begin:end]]:
             continue
+        if any(p.words == "there" for p in pieces[n:]):
+            raise Unclear  # "take the red one away from the blue one and put the green one there": where it was
         found[n] = Piece("slot", f"group {piece.words}", "one")
         found.insert(end, Piece("slot", "group", "other"))
         found.insert(end + 1, Piece("stop", "."))

@@ -10,6 +10,7 @@ from itertools import pairwise
 from rpg.language.frames.groups.shared import Gathered, listed, said_of
 from rpg.language.frames.lots import Lot, counted, lot_of
 from rpg.language.frames.pieces import Piece, Unclear
+from rpg.language.frames.towers.words import ORD
 
 _EQUAL = re.compile(r"\b(?:equal|identical|even|same)\b")
 
@@ -27,6 +28,15 @@ class Told:
 def told_in_line(names: Sequence[str]) -> str:
     """That each is left of the next."""
     return "".join(f" {a.capitalize()} is left of {b}." for a, b in pairwise(names))
+
+
+_NTH = re.compile(rf"the (?:{ORD})(?: one| block)?")
+
+
+def block_of_one(pieces: Sequence[Piece], places: Sequence[tuple[str, Sequence[Lot]]]) -> bool:
+    """ "A tower of blue blocks, four, the third one red": one of its blocks is told, and no third tower."""
+    told = any(_NTH.fullmatch(piece.words) for piece in pieces)
+    return told and places[0][0] == "a" and not all(lots[0].count for _, lots in places)
 
 
 def together(pieces: Sequence[Piece], found: Gathered, told_of: Told) -> tuple[str, list[str]]:

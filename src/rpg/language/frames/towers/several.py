@@ -18,7 +18,7 @@ from rpg.language.frames.groups.shared import (
 from rpg.language.frames.groups.shared_words import START
 from rpg.language.frames.lots import Lot, lot_of, one
 from rpg.language.frames.pieces import Piece, Unclear
-from rpg.language.frames.towers.alike import Told, together, told_in_line
+from rpg.language.frames.towers.alike import Told, block_of_one, together, told_in_line
 from rpg.language.frames.towers.words import ORD, PATTERNS, TS, T
 from rpg.language.grammar.rows.parting import STOPS
 
@@ -269,6 +269,8 @@ def _one_by_one(pieces: Sequence[Piece], found: Gathered, told_of: Told) -> tupl
         raise Unclear
     places = settled(found, lambda name, look: False)
     slots = [slot for slot, _ in places]
+    if block_of_one(pieces, places):
+        raise Unclear
     if told_of.heights or len(places) != (told_of.count or len(places)):
         raise Unclear
     if any(slot in _UNIQUE and slots.count(slot) > 1 for slot in slots) or "other" in slots[:-1]:

@@ -14,6 +14,7 @@ _SIDE = "(?:to the left of|to the right of|left of|right of|in front of|behind)"
 _AT_START = "(?:at the start|at the beginning|now|initially|at first)"
 _THE = f"(?:the )?{COLOR}(?: {CUBE}| one)?"
 _TURNED = "(?:upside - down|upside down|upright)"
+_LOOK = f"(?:{COLOR}|[a-z0-9])"
 _ON = "(?:next to|beside|on|between|near|under|above)"
 _FACING = "(?:in|on|at|upon|on top of|to the right of|to the left of)"
 _LETTERS = "(?:letter (?:blocks|cubes)|blocks|cubes|letter tiles)"
@@ -87,6 +88,15 @@ OTHERWISE_AT_ONCE: tuple[Turn, ...] = (
      "put a {2} block to the {3} of {1} and a {2} block to the {4} of {1}"),
     # where another thing is
     (f"\\b(?:where|at the place where) the ({COLOR} (?:patch|mat|zone|target|area|spot)) is$", "on the {1}"),
+    # mats that are told behind their number, which are in that order anyway
+    (f"\\b((?:on|onto) (?:the )?{MANY} (?:mats|patches|zones|targets|areas|spots) [,:] {COLOR}(?: , {COLOR})*"
+     f"(?: ,)? and {COLOR}) , in (?:this|that) order$", "{1}"),
+    # a tower and another such
+    (f"^(.*?\\ban? ({LINE}) (of {MANY}(?: {COLOR})?) (?:on|in|to|at|next|beside|behind)\\b[^,]+?)(?: ,| and| , and) "
+     "another one (?=(?:on|off|in|to|at|next|beside|behind)\\b)", "{1} , another {2} {3} "),
+    # what is taken from a tower that is told block by block
+    (f"\\b(from|off|out of) the (tower|stack|pile) ({_LOOK}(?: , {_LOOK})*)(?: , and| ,| and) ({_LOOK})$",
+     "{1} the {2} of {3} and {4}"),
     # a line and where it begins
     ("\\b(starting|beginning|start|begin) (at|on|from) the (top|bottom|left|right|far end|near end) with (?:an? |the "
      f")?({COLOR})(?: one| block| cube)?$", "starting with {4} at the {3}"),

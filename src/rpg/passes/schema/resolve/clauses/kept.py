@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.node import members
-from rpg.ir.structures import Stack
+from rpg.ir.structures import Row, Stack
 from rpg.ir.walk import names
 from rpg.language.meaning import Clause, Coord, In, Loc, Meaning, Noun, Pronoun, TableTop
 from rpg.passes.schema.resolve.goals.logic import conj
@@ -37,6 +37,13 @@ def left_so(clause: Clause, theme: Ref, scene: Scene) -> bool:
     there = all(not x.negated and (isinstance(x, In) or x.rel != "off") for x in somewhere)
     table = any(isinstance(x, Loc) and isinstance(x.landmark, TableTop) for x in somewhere)
     return there and not table and {*theme.names}.isdisjoint(moved | begun)
+
+
+def of_what_is_built(goals: Sequence[g.Goal], scene: Scene) -> bool:
+    """ "Make a tower of three, leave the other two next to it": which they cannot be before it is there."""
+    begun = [{*members(fact.blocks)} for fact in scene.start_goals if isinstance(fact, Stack | Row)]
+    built = [{*line.members} for line in scene.built if line.kind in ("stack", "row")]
+    return any(line < {*names(goal)} for line in built if line not in begun for goal in goals)
 
 
 def _told_of(fact: g.Goal) -> tuple[str, ...]:

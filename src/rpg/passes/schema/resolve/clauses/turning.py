@@ -28,7 +28,7 @@ from rpg.language.meaning import (
     replace,
 )
 from rpg.passes.schema.resolve.clauses.begun_facts import as_begun
-from rpg.passes.schema.resolve.clauses.kept import left_so, put_so
+from rpg.passes.schema.resolve.clauses.kept import left_so, of_what_is_built, put_so
 from rpg.passes.schema.resolve.clauses.left_alone import not_elsewhere
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.clauses.started import taken_out
@@ -62,6 +62,7 @@ def keep(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         for item in spec.places:
             goals += place(theme, item, scene, scope, clause.span)
         spec.places = []
+        stood = stood and not of_what_is_built(goals, scene)
         if (clause.lemma == "keep" and not put_so(clause, theme, scene)) or ever or stood:
             there = len(scene.start_goals)
             found = held_throughout(goals, scene, clause.span)

@@ -15,6 +15,7 @@ from rpg.ir.schema import TaskSchema
 from rpg.ir.structures import Row, Stack
 from rpg.ir.walk import atoms, within
 from rpg.language import lexicon
+from rpg.language.grammar.rows.parting import sentences, text_of
 from rpg.language.grammar.rows.vocabulary import COLOR, LINE, MANY, PATCH, PATCHES
 from rpg.language.patterns import on_demand
 from rpg.language.tokens import Token
@@ -50,19 +51,35 @@ _KEPT_OUT = on_demand(
 )
 
 
-def check_could_be_both(tokens: Sequence[Token], task: TaskSchema) -> None:
+def check_could_be_both(tokens: list[Token], task: TaskSchema) -> None:
     """Refuse what can be told of two things, of which one would be a guess.
 
     Raises:
         Refusal: "ambiguous".
     """
-    text = " ".join(token.word.replace(" ", "_") for token in tokens)
+    for sentence in sentences(tokens):
+        _any_but(sentence)
+    text = text_of(tokens)
     for told, is_guess, message, hint in _GUESSES:
         found = told.search(text)
         if found is not None and is_guess(text, task):
             begin, end = text[: found.start()].count(" "), text[: found.end()].count(" ")
             where = (tokens[begin].span[0], tokens[min(end, len(tokens) - 1)].span[1])
             raise refuse("ambiguous", message, where, hint)
+
+
+_ANY_BUT = on_demand(
+    rf"\bany (?:of the )?(?:\w+ )?(?:{'|'.join(lexicon.BLOCK)}|ones?) (?:but|except|besides|other than)\b"
+)
+_DENIED = frozenset({"not", "never", "no", "without", "nothing", "nobody", "none", "if"})
+
+
+def _any_but(sentence: Sequence[Token]) -> None:
+    """Refuse "move any block but the red one": one of the others, or all of them?"""
+    words = [token.word for token in sentence]
+    if _ANY_BUT.search(" ".join(words)) and _DENIED.isdisjoint(words):
+        raise refuse("ambiguous", "one of the others, or all of them?", (sentence[0].span[0], sentence[-1].span[1]),
+                     "say 'one of the other blocks' or 'all but the red one'")  # fmt: skip
 
 
 def _one_mat(text: str, task: TaskSchema) -> bool:

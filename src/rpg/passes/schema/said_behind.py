@@ -54,7 +54,6 @@ def check_behind(tokens: list[Token], task: TaskSchema) -> None:
         _listed_from(sentence, task)
         _from_end_to_end(sentence, task)
         _lines_within(sentence, task)
-        _any_but(sentence)
         _aslant(sentence)
         _in_different_colors(sentence, task)
     _one_way(tokens, task)
@@ -99,20 +98,6 @@ def _lines_within(sentence: Sequence[Token], task: TaskSchema) -> None:
     if told is not None and any(isinstance(x, Row) for x in atoms(task.goal)):
         raise refuse("ambiguous", "are these lines of the figure, or further ones?", sentence[0].span,
                      "say 'with rows alternating red and blue'")  # fmt: skip
-
-
-_ANY_BUT = on_demand(
-    rf"\bany (?:of the )?(?:\w+ )?(?:{'|'.join(lexicon.BLOCK)}|ones?) (?:but|except|besides|other than)\b"
-)
-_DENIED = frozenset({"not", "never", "no", "without", "nothing", "nobody", "none", "if"})
-
-
-def _any_but(sentence: Sequence[Token]) -> None:
-    """Refuse "move any block but the red one": one of the others, or all of them?"""
-    words = [token.word for token in sentence]
-    if _ANY_BUT.search(" ".join(words)) and _DENIED.isdisjoint(words):
-        raise refuse("ambiguous", "one of the others, or all of them?", (sentence[0].span[0], sentence[-1].span[1]),
-                     "say 'one of the other blocks' or 'all but the red one'")  # fmt: skip
 
 
 _OFF = r"\d[\d.]* cm (?:further )?(?:to )?(?:the )?(?:left|right|behind|in front|away)\b"

@@ -11,10 +11,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
+from dataclasses import replace
 
+from rpg.language import lexicon
 from rpg.language.compose.clauses import Reader
 from rpg.language.compose.in_time import check_in_time
-from rpg.language.compose.items import Item, items_of
+from rpg.language.compose.items import PATCH, Item, items_of
 from rpg.language.compose.scene import Unclear
 from rpg.language.compose.syntax import Clause, Looks
 from rpg.language.compose.telling import tell_all
@@ -66,6 +68,9 @@ def _told_last(items: Sequence[Item]) -> list[Item]:
     if not stops:
         return []
     last = [item for item in items[stops[-1] + 1 :] if item.text not in {".", "!"}]
+    if any(item.text == "block" for item in items) and not any(item.text in PATCH for item in items):
+        ones = [item.text == "one" and n > 0 and last[n - 1].text in lexicon.COLOR for n, item in enumerate(last)]
+        last = [replace(item, text="block", number=0) if one else item for item, one in zip(last, ones, strict=True)]
     return [*last, items[stops[-1]], *items[: stops[-1]]]
 
 

@@ -164,6 +164,8 @@ def _add(scene: Scene, subject: Phrase, said: Change) -> None:
     if len(built) != 1 or said.side in {"middle", "other"}:
         raise Unclear
     figure = built[0]
+    if scene.wanted and figure.stage == scene.stage:
+        raise Unclear  # "line up three blocks and put one at the left end": one more, or on top of it
     order = _order(scene, figure)
     new = _new(scene, subject, 1)
     ends = _ENDS[figure.kind] | (_READ if figure.kind in {"row", "line", "word"} else {})

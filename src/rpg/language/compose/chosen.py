@@ -7,15 +7,17 @@ from dataclasses import replace
 from rpg.language.compose.figures import figure_fits
 from rpg.language.compose.items import FIGURES
 from rpg.language.compose.places_of import places
-from rpg.language.compose.scene import SIDES, Fact, Ref, Resolve, Scene, Unclear
+from rpg.language.compose.scene import SIDES, Fact, Figure, Ref, Resolve, Scene, Unclear
 from rpg.language.compose.syntax import (
     ALL,
     Bears,
     Chain,
     Holding,
     Holds,
+    Label,
     Looks,
     Noun,
+    Owns,
     Phrase,
     Place,
     Predicate,
@@ -66,7 +68,11 @@ def _so(scene: Scene, kind: str, n: int, said: Predicate, resolve: Resolve) -> b
     if isinstance(said, Bears):
         return _bears(scene, kind, n, said)
     if isinstance(said, Looks):
-        return _looks(scene, kind, n, said.like)
+        if said.no and kind == "block" and not scene.blocks[n].color and not scene.blocks[n].label:
+            raise Unclear
+        return _looks(scene, kind, n, said.like) != said.no
+    if isinstance(said, Owns):
+        return kind == "figure" and _owns(scene, scene.figures[n], said)
     if isinstance(said, Place) and not said.no and not said.cm:
         return _stands(scene, kind, n, said, resolve)
     if isinstance(said, Holding):
@@ -80,6 +86,8 @@ def _so(scene: Scene, kind: str, n: int, said: Predicate, resolve: Resolve) -> b
 def _holds(scene: Scene, n: int, what: Phrase) -> bool:
     """Whether some of the blocks of a figure look so, or whether it has so many."""
     blocks = [scene.blocks[m] for m in scene.figures[n].blocks]
+    if isinstance(what, Label):
+        return what.label in {*(block.label for block in blocks), *(scene.blocks[m].label for m in _upon(scene, n))}
     if not isinstance(what, Noun) or what.noun not in {"", "block", "one"} or what.ranks or what.of or what.nth:
         raise Unclear
     if what.det == "no":
@@ -92,6 +100,15 @@ def _holds(scene: Scene, n: int, what: Phrase) -> bool:
         raise Unclear
     many = len(blocks)
     return {"least": many >= what.count, "most": many <= what.count}.get(what.bound, many == what.count)
+
+
+def _upon(scene: Scene, figure: int) -> list[int]:
+    """The blocks that were put on top of a tower, one on the other."""
+    found = scene.figures[figure].blocks[-1:]
+    for below in found:
+        on = [fact.a.ids for fact in scene.facts if fact.said == "on" and fact.b == Ref("block", [below])]
+        found += [n for ids in on for n in ids if n not in found]
+    return found
 
 
 def _bears(scene: Scene, kind: str, n: int, said: Bears) -> bool:
@@ -113,6 +130,20 @@ def _bears(scene: Scene, kind: str, n: int, said: Bears) -> bool:
             raise Unclear
         return blocks[at[0]].color == said.what.color
     raise Unclear
+
+
+def _owns(scene: Scene, figure: Figure, said: Owns) -> bool:
+    """Whether its top block is of a colour, or its left end has a symbol."""
+    part = said.part
+    noun = () if part.noun in {"one", "block"} else (part.noun,)
+    at = places(figure, (*part.ranks, *noun), part.nth)
+    known = figure.told or scene.alike(figure.blocks) or set(at) <= set(figure.placed)
+    if not known or part.many or part.color or part.count or len(at) != 1 or not isinstance(said.said, Looks):
+        raise Unclear
+    n = figure.placed.get(at[0], figure.blocks[at[0]])
+    if isinstance(said.said.like, Label):
+        return scene.blocks[n].label == said.said.like.label
+    return _looks(scene, "block", n, said.said.like)
 
 
 def _looks(scene: Scene, kind: str, n: int, like: Phrase) -> bool:

@@ -31,6 +31,7 @@ _LEADS = (
     "i want", "i need", "we need", "we want", "i would love", "you have", "you got", "we have", "i have", "there is",
     "there are", "there is to be", "there are to be",
     "there should be", "there must be", "give me", "gimme", "let us have", "let me see", "let there be",
+    "is it possible to have", "can we have", "could we have",
     "can you", "could you", "would you", "will you", "show me", "get me", "let us", "let", "try to", "the goal is to",
     "the task is to", "you should", "hey", "yo", "hi", "hello", "goal :", "task :", "goal", "make sure that",
     "make sure", "see to it that", "make it so that", "need", "at the end", "in the end",

@@ -61,7 +61,7 @@ def figures_of(scene: Scene, noun: Noun, resolve: Resolve) -> Ref:
         stand_in(scene, towers, Noun(noun=kind))
         return towers
     if isinstance(noun.content, Listing):
-        if noun.count not in {0, len(noun.content.parts)}:
+        if noun.count not in {0, len(noun.content.parts)} or (noun.det == "a" and not noun.many):
             raise Unclear
         made = [make(scene, replace(noun, count=0, content=of), kind, resolve) for of in noun.content.parts]
         return Ref("figure", made, fresh=True)

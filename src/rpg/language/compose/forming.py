@@ -36,7 +36,7 @@ def forms(scene: Scene, ref: Ref, phrase: Phrase) -> None:
         return
     if ref.kind == "block" and ref.bound == "exactly" and phrase == TOWER:  # none of the others is on another
         scene.facts += [Fact(Ref("block", [n]), "table") for n in ref.rest]
-    elif ref.bound:
+    elif ref.bound or (ref.rest and len({scene.blocks[n].look for n in ref.ids}) > 1):
         raise Unclear
     if ref.kind != "block" or ref.each or (phrase.noun == "column" and phrase.way):
         raise Unclear  # in this order, or in any

@@ -8,7 +8,7 @@ from dataclasses import replace
 from rpg.language import lexicon
 from rpg.language.compose.items import FIGURE, PART, PATCH, RANK, SYMBOL, TABLE
 from rpg.language.compose.measures import Measures
-from rpg.language.compose.syntax import Label, Noun, Phrase
+from rpg.language.compose.syntax import Holds, Label, Noun, Phrase
 
 TOLD_BY = frozenset({"block", *SYMBOL})
 """What stands ahead of a symbol: "the cube Q", "the letters A and B"."""
@@ -77,6 +77,8 @@ class Heads(Measures):
             yield Label(label, color), on_it or named + 1
             if not said and self.text(named + 1) == "block" and not self.items[named + 1].many:
                 yield Label(label, color), named + 2
+            if start > at and not color and not said and self.text(named + 1) == "tower":
+                yield Noun(det="the", noun="tower", that=(Holds(Label(label)),)), named + 2  # "the A tower"
 
     def label(self, at: int) -> str:
         """The symbol that a word is, or nothing."""
@@ -123,7 +125,8 @@ class Heads(Measures):
             yield from ((patch, end) for patch, end in shaped if patch.noun == "patch")
         if spaced := self.past_any(at, "evenly spaced", "equally spaced"):
             yield from self._head(spaced, replace(noun, gaps=", evenly spaced"))
-        if text in {"plain", "such", "more"} or (text == "upright" and self.text(at + 1) in FIGURE):
+        upright = text == "upright" and self.text(at + 1) in FIGURE
+        if text in {"plain", "such", "more"} or upright or (text == "same" and noun.det == "the"):
             yield from self._head(at + 1, noun)
         for with_size, end in self.sized(noun, at):
             yield from self._head(end, with_size)

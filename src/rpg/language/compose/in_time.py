@@ -7,7 +7,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from rpg.language.compose.scene import Unclear
-from rpg.language.compose.syntax import Chain, Clause, Looks, Made, Noun, Place, Predicate, Pronoun, is_figure
+from rpg.language.compose.syntax import STAY, Chain, Clause, Looks, Made, Noun, Place, Predicate, Pronoun, is_figure
 
 
 def check_in_time(way: Sequence[Clause], begun: int = 0) -> None:
@@ -30,7 +30,7 @@ def check_in_time(way: Sequence[Clause], begun: int = 0) -> None:
             ahead = n < last and (clause.mood == "seen" or way[last].mood != "put" or way[last].later)
             _check_there(clause, told=told, alone=len(way) == 1, ahead=ahead)
         # how things look is so all the time
-        looks = bool(clause.predicates) and all(isinstance(said, Looks) for said in clause.predicates)
+        looks = bool(clause.predicates) and all(isinstance(said, Looks) or said == STAY for said in clause.predicates)
         ends = any(behind.mood == "end" for behind in way[n + 1 :])
         if (n < last or ends) and told and clause.mood in {"so", ""} and not looks:
             raise Unclear

@@ -65,8 +65,7 @@ def make(scene: Scene, noun: Noun, kind: str, resolve: Resolve) -> int:
     _check_size(figure, size, noun)
     if noun.limbs:
         _draw(figure, noun)
-    kept = [f for f in scene.figures if scene.at_start or not scene.may_change(f)]
-    if len(figure.blocks) < 2 or any(n in f.blocks for f in kept for n in figure.blocks):
+    if len(figure.blocks) < 2 or _held(scene, kind) & set(figure.blocks):
         raise Unclear
     if noun.order in {"reversed", "kept"}:
         as_at_start(scene, figure, back=noun.order == "reversed")
@@ -113,6 +112,13 @@ def _draw(figure: Figure, noun: Noun) -> None:
     if figure.way and way not in {"", figure.way}:
         raise Unclear
     figure.size, figure.way = sides if any(sides) else (), figure.way or way
+
+
+def _held(scene: Scene, kind: str) -> set[int]:
+    """The blocks of other figures; a row may be of blocks on which others were put."""
+    kept = [f for f in scene.figures if scene.at_start or not scene.may_change(f)]
+    flat = kind in {"row", "line"}
+    return {n for f in kept for n in f.blocks if not (flat and f.implied and n == f.blocks[0])}
 
 
 def _told_in_turn(scene: Scene, figure: Figure, noun: Noun, content: Chain, resolve: Resolve) -> None:

@@ -48,6 +48,7 @@ _UPWARD = frozenset({"from the bottom up", "from bottom to top", "from bottom up
 _LAYERS = tuple(f"{with_}{layers}" for with_ in ("", "with ", "in ") for layers in ("layer of", "row of"))
 _RUNNING = tuple(f"{run} {way}" for run in ("running", "going", "that runs", "which runs", "extending")
                  for way in ("from front to back", "front to back", "from back to front"))  # fmt: skip
+_AS_TOLD = tuple(f"in {this} order{from_} left to right" for this in ("this", "that") for from_ in (" from", ","))
 _WAYS: dict[str, tuple[str, ...]] = {
     "staircase": ("rising to", "going up to", "ascending to", "climbing to", "that rises to", "rising towards",
                   "that goes up to", "which goes up to", "that climbs to", "which climbs to", "that ascends to",
@@ -85,7 +86,8 @@ class Measures(Limbs):
             yield replace(noun, size=tuple(int(n) for n in self.items[at].value.split("x"))), at + 1
         if not (number := self.number(at)):
             return
-        if self.text(at + 1) in {"block", "high"} and self.text(at + 2) in FIGURE:
+        colored = self.text(at + 2) in lexicon.COLOR  # "a two-block red tower"
+        if self.text(at + 1) in {"block", "high"} and self.text(at + 2 + colored) in FIGURE:
             yield replace(noun, size=(number,)), at + 2
         if self.text(at + 1) == "step" and self.text(at + 2) in FIGURE:
             yield replace(noun, size=(staircase_size(number),)), at + 2
@@ -221,6 +223,8 @@ class Measures(Limbs):
         start = at + (self.text(at) == ",")
         if noun.noun == "column" and (end := self.past_any(start, "going away from me", "away from me")):
             yield noun, end
+        if noun.noun in {"row", "line"} and not noun.ranks and (end := self.past_any(start, *_AS_TOLD)):
+            yield replace(noun, ranks=("left",)), end
         if noun.noun == "column" and (end := self.past_any(start, *_RUNNING)):
             yield replace(noun, way="far"), end
         for order, way, end in self.sorted_so(start):

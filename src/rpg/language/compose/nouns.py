@@ -10,12 +10,13 @@ from rpg.language.compose.figures import figures_of, is_farthest
 from rpg.language.compose.items import FIGURES, PARTS, SYMBOL_KINDS
 from rpg.language.compose.lined import feet
 from rpg.language.compose.listed import by_worth, counted_alike, symbols
-from rpg.language.compose.others import others, take
+from rpg.language.compose.others import one_more_block, others, take
 from rpg.language.compose.parts import has_first, part, within
-from rpg.language.compose.pronouns import pronoun
-from rpg.language.compose.scene import TOWARD, Patch, Ref, Scene, Unclear
+from rpg.language.compose.patches import patches
+from rpg.language.compose.pronouns import pronoun, so_many
+from rpg.language.compose.scene import TOWARD, Ref, Scene, Unclear
 from rpg.language.compose.sized import is_of_blocks, of_heights, sized
-from rpg.language.compose.syntax import ALL, Both, Chain, Label, Listing, Noun, Phrase, Pronoun
+from rpg.language.compose.syntax import ALL, OWN, Both, Chain, Label, Listing, Noun, Phrase, Pronoun
 
 _HIGH = {"top": "tall", "bottom": "short"}
 """The highest of several towers is the one with the most blocks."""
@@ -29,8 +30,8 @@ def resolve(scene: Scene, phrase: Phrase) -> Ref:
         return scene.mention(Ref("block", [_labelled(scene, phrase.label, phrase.color)]))
     if isinstance(phrase, Both):
         return _both(scene, phrase)
-    if isinstance(phrase, Chain | Listing):
-        raise Unclear
+    if isinstance(phrase, Chain | Listing) or phrase.color == OWN:
+        raise Unclear  # of whose colour is it?
     ref = pronoun(scene, "each") if phrase == Noun(det="each", noun="one") else _noun(scene, replace(phrase, but=None))
     if phrase.but is not None:
         if isinstance(phrase.but, Noun) and phrase.but.count:
@@ -89,7 +90,8 @@ def _one_of(scene: Scene, phrase: Both) -> Ref:
     figures = len(scene.figures)
     refs = [resolve(scene, part) for part in phrase.parts]
     ids = [n for ref in refs for n in ref.ids]
-    unlike = len({ref.kind for ref in refs}) > 1 or len(set(ids)) < len(ids) or len(scene.figures) > figures
+    new = len(scene.figures) > figures and not all(isinstance(p, Noun) and p.det == "the" for p in phrase.parts)
+    unlike = len({ref.kind for ref in refs}) > 1 or len(set(ids)) < len(ids) or new
     if unlike or any(ref.bound or ref.no or ref.each for ref in refs):
         raise Unclear
     one = refs[scene.choose(len(refs))]
@@ -129,6 +131,8 @@ def _noun(scene: Scene, noun: Noun) -> Ref:
         return symbols(scene, noun, resolve)
     if noun == Noun(noun="one") and scene.whole:
         return _some_of(scene, Noun(count=1))
+    if _is_so_many(noun):
+        return so_many(scene, noun)
     if noun.of is not None or noun.det == "but" or noun == Noun(count=noun.count, bound=noun.bound):
         return _some_of(scene, noun)
     if noun.noun in {"row", "layer", "column"} and noun.ranks and within(scene):
@@ -136,10 +140,7 @@ def _noun(scene: Scene, noun: Noun) -> Ref:
     if noun.noun == "one" and noun.det in {"a", "another"} and not noun.color and scene.figures:
         return figures_of(scene, noun, resolve)
     if noun == Noun(det="another", noun="one"):
-        left = [n for n in scene.whole if n not in scene.taken]
-        if not scene.taken or not left or not scene.alike(left):
-            raise Unclear
-        return take(scene, left[:1])
+        return one_more_block(scene)
     if noun.noun == "one" and noun.color and noun.det == "the" and not noun.ranks:
         own = [n for n, f in enumerate(scene.figures) if {scene.blocks[b].color for b in f.blocks} == {noun.color}]
         like = [n for n, block in enumerate(scene.blocks) if block.color == noun.color]
@@ -150,7 +151,7 @@ def _noun(scene: Scene, noun: Noun) -> Ref:
     if noun.noun == "table":
         return Ref("table", [])
     if noun.noun == "patch":
-        return _patch(scene, noun)
+        return patches(scene, noun)
     if noun.noun in FIGURES:
         return figures_of(scene, noun, resolve)
     if noun.noun in SYMBOL_KINDS | {"sign"}:
@@ -158,6 +159,12 @@ def _noun(scene: Scene, noun: Noun) -> Ref:
     if noun.noun in PARTS or (noun.ranks and noun.noun in {"block", "one"}) or (noun.nth and noun.noun == "one"):
         return _by_rank(scene, noun)
     return _blocks(scene, noun)
+
+
+def _is_so_many(noun: Noun) -> bool:
+    """ "The four", "those three blocks"."""
+    bare = noun.count > 1 and noun == Noun(det="the", count=noun.count, near=noun.near)
+    return bare or (noun.near and noun.noun == "block" and noun.of is None and not (noun.ranks or noun.nth))
 
 
 def _by_rank(scene: Scene, noun: Noun) -> Ref:
@@ -219,6 +226,12 @@ def of_two(scene: Scene, noun: Noun) -> Ref:
         return between[0]
     both = pronoun(scene, "both")
     if both.kind == "figure" and len(both.ids) == 2:
+        if len({scene.figures[n].kind for n in both.ids}) > 1:  # "a tower and a row of two": of the blocks of the row
+            rows = [n for n in both.ids if scene.figures[n].kind in {"row", "line"}]
+            if len(rows) != 1 or len(scene.figures[rows[0]].blocks) != 2:
+                raise Unclear
+            scene.mention(Ref("figure", rows))
+            return part(scene, replace(noun, of=Pronoun("it")), resolve)
         return _of_figures(scene, noun, both.ids)
     if len(both.ids) == 1:
         return part(scene, replace(noun, of=None), resolve)
@@ -246,9 +259,11 @@ def _some_of(scene: Scene, noun: Noun) -> Ref:
     if whole.fresh and whole.kind == "block" and scene.figures and isinstance(noun.of, Noun) and noun.of.det != "the":
         raise Unclear  # "one of two blocks" may be a figure
     ids = whole.ids
+    if noun.of is None and not noun.bound and not any(scene.blocks[n].look[:2] != ("", "") for n in ids):
+        raise Unclear  # "put one on the mat" of blocks of which nothing is said
     if noun.det == "all" and noun.of == Pronoun("them") and len(ids) < len(scene.blocks):
         raise Unclear
-    if noun.of == Pronoun("them") and set(ids) < set(scene.whole):
+    if noun.of == Pronoun("them") and whole.kind == "block" and set(ids) < set(scene.whole):
         raise Unclear  # of these, or of those that they are some of
     if noun.det in ALL:
         if (2 if noun.det == "both" else noun.count or len(ids)) != len(ids):
@@ -272,7 +287,7 @@ def _some_of(scene: Scene, noun: Noun) -> Ref:
         raise Unclear
     chosen = left[:count]
     if not scene.alike(ids) and count < len(ids):
-        if left != ids:
+        if left != ids or len({scene.blocks[n].look for n in ids}) < len(ids):
             raise Unclear
         some = list(combinations(ids, count))
         chosen = list(some[scene.choose(len(some))])  # whichever of them
@@ -293,26 +308,6 @@ def _some_figures(scene: Scene, ids: list[int], count: int, bound: str) -> Ref:
     if len(kinds) > 1 or scene.told_of("figure") & set(ids) or any(blocks & set(figure.blocks) for figure in figures):
         raise Unclear
     return Ref("figure", ids[:count], ids[count:], bound=bound)
-
-
-def _patch(scene: Scene, noun: Noun) -> Ref:
-    if noun.ranks or noun.nth or noun.many or noun.count > 1 or noun.det not in {"a", "the", ""}:
-        raise Unclear
-    found = [n for n, patch in enumerate(scene.patches) if not noun.color or patch.color == noun.color]
-    if noun.word:
-        if any(not scene.patches[n].shape for n in found):
-            raise Unclear  # one of which no shape was said, or another one
-        found = [n for n in found if scene.patches[n].shape == noun.word]
-    if len(found) > 1 or (found and noun.det == "a" and not noun.color):
-        raise Unclear
-    if noun.color and any(not patch.color for patch in scene.patches):
-        raise Unclear  # the one of which no colour was said, or another one
-    if not found:
-        if not (noun.color or noun.word) and scene.patches:
-            raise Unclear
-        scene.patches.append(Patch(noun.color, noun.word))
-        found = [len(scene.patches) - 1]
-    return Ref("patch", found)
 
 
 def _blocks(scene: Scene, noun: Noun) -> Ref:

@@ -9,7 +9,7 @@ from rpg.language.compose.nouns import resolve
 from rpg.language.compose.relating import place
 from rpg.language.compose.resting import on
 from rpg.language.compose.scene import SIDES, Ref, Scene, Unclear
-from rpg.language.compose.syntax import Both, Noun, Phrase, Place, Predicate, Pronoun, any_number, on_an_end
+from rpg.language.compose.syntax import OWN, Both, Noun, Phrase, Place, Predicate, Pronoun, any_number, on_an_end
 
 
 def one_by_one(scene: Scene, subject: Noun, said: Sequence[Predicate]) -> None:
@@ -61,9 +61,34 @@ def one_for_each(scene: Scene, subject: Phrase, said: Predicate) -> None:
     target = resolve(scene, said.of)
     if said.relation not in {"on", "next", *SIDES} or target.no or target.bound or on_an_end(said):
         raise Unclear
+    loose = target.kind == "block" and not all(scene.figure_of(n) for n in target.ids)
+    if said.relation in SIDES and (loose or (said.of == Pronoun("each") and target.kind != "patch")):
+        raise Unclear  # "left of each of the three blocks": one for each, or one for all of them
+    if subject.color == OWN and (target.kind != "patch" and scene.stock):
+        raise Unclear  # which of those that there are
     for n in target.ids:
-        one = resolve(scene, replace(subject, det="a", many=False, count=0))
+        color = _color_of(scene, target.kind, n) if subject.color == OWN else subject.color
+        noun = "block" if subject.noun == "one" and subject.color and n != target.ids[0] else subject.noun
+        one = resolve(scene, replace(subject, det="a", color=color, noun=noun, many=False, count=0))
         if not one.fresh:
             raise Unclear
         place(scene, one, Ref(target.kind, [n]), said)
         scene.used.update(one.ids)
+
+
+def _color_of(scene: Scene, kind: str, n: int) -> str:
+    """The colour of a patch, of a block, or of all blocks of a figure."""
+    if kind == "patch":
+        return scene.patches[n].color
+    colors = {scene.blocks[m].color for m in (scene.figures[n].blocks if kind == "figure" else [n])}
+    if len(colors) > 1 or not all(colors):
+        raise Unclear
+    return colors.pop()
+
+
+def in_turn(scene: Scene, ref: Ref, target: Ref, said: Place) -> None:
+    """ "A and B on the red and the blue block respectively": the first on the first one."""
+    if len(ref.ids) != len(target.ids) or len(ref.ids) < 2 or ref.bound or ref.rest or ref.no or said.no:
+        raise Unclear
+    for a, b in zip(ref.ids, target.ids, strict=True):
+        place(scene, Ref(ref.kind, [a]), Ref(target.kind, [b]), replace(said, how=""))

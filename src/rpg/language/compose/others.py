@@ -3,13 +3,21 @@
 from __future__ import annotations
 
 from rpg.language.compose.items import FIGURES
-from rpg.language.compose.scene import Ref, Scene, Unclear
-from rpg.language.compose.syntax import Bears, Clause, Noun
+from rpg.language.compose.scene import Fact, Ref, Scene, Unclear
+from rpg.language.compose.syntax import Bears, Clause, Noun, Place
 
 
 def take(scene: Scene, ids: list[int]) -> Ref:
     scene.taken += [n for n in ids if n not in scene.taken]
     return Ref("block", ids)
+
+
+def one_more_block(scene: Scene) -> Ref:
+    """ "Another one" of blocks that look alike, of which some were taken."""
+    left = [n for n in scene.whole if n not in scene.taken]
+    if not scene.taken or not left or not scene.alike(left):
+        raise Unclear
+    return take(scene, left[:1])
 
 
 def others(scene: Scene, noun: Noun) -> Ref:
@@ -32,8 +40,8 @@ def others(scene: Scene, noun: Noun) -> Ref:
         if len(left) != (noun.count or 1) or not spoken:
             raise Unclear
         return Ref("figure", left)
-    if noun.noun == "patch":
-        raise Unclear
+    if noun.noun == "patch" or _is_of_patches(scene, noun):
+        return _other_patches(scene, noun)
     one = scene.subject if noun == Noun(det="other", noun=noun.noun) and noun.noun in {"", "one"} else None
     if one is not None and one[0] == "figure" and len(one[1]) == 1 and len(scene.figures) == 2:
         if scene.taken or scene.instead:
@@ -55,6 +63,21 @@ def others(scene: Scene, noun: Noun) -> Ref:
     if noun.color and any(scene.blocks[n].color != noun.color for n in left):
         raise Unclear
     return take(scene, left)
+
+
+def _is_of_patches(scene: Scene, noun: Noun) -> bool:
+    """Whether nothing but patches was told of, so that "the other two" are some of them."""
+    return len(scene.patches) > 1 and not scene.blocks and noun.noun in {"", "one"} and not scene.figures
+
+
+def _other_patches(scene: Scene, noun: Noun) -> Ref:
+    """ "(Only the green mat is empty,) the other two ...": those that are not spoken of."""
+    spoken = {n for ref in scene.here or scene.before if ref.kind == "patch" for n in ref.ids}
+    left = [n for n in range(len(scene.patches)) if n not in spoken]
+    plain = not (noun.color or noun.ranks or noun.nth or noun.bound or noun.of)
+    if not plain or not spoken or len(left) != (noun.count or (len(left) if noun.many else 1)) or not left:
+        raise Unclear
+    return Ref("patch", left)
 
 
 def _spared(scene: Scene) -> list[int]:
@@ -83,6 +106,11 @@ def _left_there(scene: Scene) -> list[int]:
 def check_only(scene: Scene, clause: Clause, ahead: int) -> None:
     """ "Only the middle one gets a blue block": there is no other one that could lie elsewhere."""
     said = clause.predicates[0]
+    empty = [n for fact in scene.facts[ahead:] if fact.said == "empty" for n in fact.a.ids]
+    if said == Place("empty") and empty and len(empty) < len(scene.patches):
+        rest = [n for n in range(len(scene.patches)) if n not in empty]
+        scene.facts += [Fact(Ref("patch", [n]), "empty", no=True) for n in rest]
+        return
     upper = [fact.a.ids[0] for fact in scene.facts[ahead:] if fact.said == "on" and not fact.no]
     looks = {scene.blocks[n].look for n in upper}
     like = [n for n, block in enumerate(scene.blocks) if block.look in looks]

@@ -32,6 +32,8 @@ def part(scene: Scene, noun: Noun, resolve: Resolve) -> Ref:
         count = noun.count or -noun.many
         if noun.many and not noun.count and said == ("middle",) and not figure.size:
             count = len(figure.blocks) - 2  # all but the outer ones
+        if said == ("corner",) and figure.size == (2, 2) and noun.of is None:
+            raise Unclear  # of what these are the corners
         at = places(figure, said, noun.nth, count)
         if scene.may_change(figure) and scene.subject is not None:
             rest = {scene.blocks[n].look for place, n in enumerate(figure.blocks) if place not in at}

@@ -6,13 +6,14 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from rpg.language import lexicon
-from rpg.language.compose.heads import NAMED, TOLD_BY
-from rpg.language.compose.items import FIGURES, PARTS, SYMBOL, SYMBOL_KINDS
+from rpg.language.compose.heads import NAMED, RELATIONS, TOLD_BY
+from rpg.language.compose.items import FIGURES, PARTS, PATCH, SYMBOL, SYMBOL_KINDS
 from rpg.language.compose.limbs import LETTERS
 from rpg.language.compose.relatives import Relatives
 from rpg.language.compose.some_of import labelled
 from rpg.language.compose.syntax import (
     NOTHING,
+    OWN,
     Both,
     Chain,
     Listing,
@@ -107,14 +108,36 @@ class Phrases(Relatives):
             found.append((Pronoun("both"), two))
         if self.text(at) in _PRONOUNS:
             found.append((Pronoun(self.text(at)), at + 1))
+        if self.text(at) == "which" and self._behind_comma(at):
+            found.append((Pronoun("which"), at + 1))
         found += self._sign(at)
+        found += self._everything(at)
         found += self._owned(at)
         found += self._some_of(at)
         found += self._others(at)
         found += self._noun(at)
         found += self._whichever(at)
         found += self._that(found)
+        found += self._besides(found)
         return [*found, *self._but(found)]
+
+    def _everything(self, at: int) -> Iterator[tuple[Phrase, int]]:
+        """ "everything red", "all that is blue": all such blocks, as many as the text says anywhere."""
+        start = self.past_any(at, "everything", "everything that is", "all that is", "everything which is")
+        color = lexicon.COLOR.get(self.text(start), "") if start else ""
+        if color:
+            counts = {
+                self.items[n].number
+                for n in range(len(self.items) - 2)
+                if self.number(n) > 1 and lexicon.COLOR.get(self.text(n + 1)) == color
+            }
+            count = counts.pop() if len(counts) == 1 else 0
+            yield Noun(det="all", count=count, color=color, noun="block", many=True), start + 1
+
+    def _behind_comma(self, at: int) -> bool:
+        """Whether a word stands behind a comma and a relation: ", on which"."""
+        ahead = (at - len(words) for words, _ in RELATIONS if self.past(at - len(words), words) == at)
+        return any(self.text(begin - 1) == "," for begin in ahead)
 
     def _owned(self, at: int) -> Iterator[tuple[Phrase, int]]:
         """ "its two ends", "the pyramid's top block"."""
@@ -157,7 +180,9 @@ class Phrases(Relatives):
         starts: Ways[Noun] = [(Noun(), at)]
         det = _DETS.get(self.text(at))
         if det:
-            starts.append((Noun(det=det), at + 1))
+            starts.append((Noun(det=det, near=self.text(at) in {"these", "those"}), at + 1))
+            if det == "all" and self.text(at + 1) == "the":
+                starts.append((Noun(det="all"), at + 2))
             if self.text(at) == "the" and self.text(at + 1) == "only":
                 starts.append((Noun(det="the"), at + 2))
             if self.text(at) == "a" and self.text(at + 1) in {"second", "third", "further", "fourth"}:
@@ -172,9 +197,11 @@ class Phrases(Relatives):
                 if not start.det and amount.count > 1:
                     found.append((amount, stop))  # "put two on the mat"
                 if not start.det or not amount.bound:
-                    starts.append((replace(amount, det=start.det), stop))
+                    starts.append((replace(amount, det=start.det, near=start.near), stop))
         for start, end in starts:
             found += self.told_apart(start, end)
+            if start.det == "the" and start.count > 2:
+                found.append((start, end))  # "none of the four"
             if start.det == "the" and start.count > 1:
                 found += self._at_a_part(replace(start, noun="one", many=True), end)  # "the two in the middle"
             for noun, stop in self._head(end, start):
@@ -198,12 +225,24 @@ class Phrases(Relatives):
             if noun.noun in {"row", "column"} and noun.det == "the" and (noun.ranks or noun.nth):
                 found += [(replace(noun, of=whole), stop) for whole, stop in self._whole(at) if is_figure(whole)]
         elif noun.noun != "table":
+            if not noun.color and (end := self._own_color(at)):
+                found.append((replace(noun, color=OWN), end))
             found += self.told_apart(noun, at)
             found += [(replace(noun, of=whole), stop) for whole, stop in self._whole(at)]
             found += self._counted_from(noun, at)
             if noun.noun in {"block", "one", *SYMBOL_KINDS} and noun.det == "the" and not noun.ranks:
                 found += self._at_a_part(noun, at)
         return found
+
+    def _own_color(self, at: int) -> int:
+        """Where "of its own color", "of the mat's color", "of the same color" ends."""
+        if self.text(at) not in {"of", "in"}:
+            return 0
+        if same := self.past_any(at + 1, "the same color", "that color", "its color", "its plain color", "their color"):
+            return same
+        owned = at + 3 + (at + 3 < len(self.items) and self._owns(at + 3)) if self.text(at + 1) == "the" else 0
+        owner = owned and self._owns(at + 3) and self.text(at + 2) in {"block", *PATCH}
+        return self.past_any(owned, "plain color", "color") if owner else 0
 
     def _sized_and_filled(self, noun: Noun, at: int) -> Ways[Noun]:
         """A figure with its size and what it is made of: "of two red blocks", "three high"."""
@@ -216,7 +255,7 @@ class Phrases(Relatives):
         for measured, end in starts:
             filled = list(self._filled(measured, end))
             figures += [(measured, end), *filled]
-            if start := self.past_any(end, *_IN_TURN):
+            if start := self.past_any(end, *_IN_TURN) or end * (self.text(end) in lexicon.COLOR):
                 figures += self.in_turn(measured, start)
             for figure, stop in filled if noun.noun in {"row", "tower"} else ():
                 if (
@@ -247,7 +286,7 @@ class Phrases(Relatives):
             yield from self.measured(full, each)
             if listed and self.text(each) == ",":
                 yield full, each + 1
-            if isinstance(of, Noun) and counted(of) and not noun.size:
+            if isinstance(of, Noun) and counted(of) and not noun.size and (noun.count < 2 or made in {"of", "each"}):
                 more = self.text(each) if self.text(each) not in {"of", "in"} else ""
                 yield from self._filled(replace(noun, size=(of.count,)), each) if more else ()
 

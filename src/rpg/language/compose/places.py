@@ -72,9 +72,11 @@ class Places(Phrases):
         for words, name in BARE:
             if end := self.past(at, words):
                 found.append((Place(name, how="at" if words[0] in {"at", "in"} and name in _IN_LINE else ""), end))
-        if side := self.past_any(at, "to its", "on its", "at its", "in its"):
-            name = {"left": "left", "right": "right", "front": "front"}.get(self.text(side), "")
-            found += [(Place(name, Pronoun("it")), side + 1 + (self.text(side + 1) == "side"))] if name else []
+        for how, start in self._how(at):
+            side = self.past_any(start, "to its", "on its", "at its", "in its")
+            name = {"left": "left", "right": "right", "front": "front"}.get(self.text(side), "") if side else ""
+            end = side + 1 + (self.text(side + 1) == "side")
+            found += [(replace(how, relation=name, of=Pronoun("its")), end)] if name else []
         found += [(Place("sorted", how=order, side=side), end) for order, side, end in self.sorted_so(at)]
         found += self._by_height(at)
         found += self._region(at)

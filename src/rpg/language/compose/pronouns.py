@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from rpg.language.compose.scene import Ref, Scene, Unclear
-from rpg.language.compose.syntax import Place, Pronoun
+from rpg.language.compose.syntax import Noun, Place, Pronoun
 
 _OPPOSITE = {"left": "right", "right": "left", "front": "behind", "behind": "front"}
 
@@ -16,7 +16,7 @@ def pronoun(scene: Scene, word: str) -> Ref:
     if word == "these blocks":  # not what they form already
         return scene.here[0]
     if word == "which":
-        return _last(scene)
+        return _last(scene, scene.before if scene.subject else scene.here or scene.before)
     if word == "all blocks":
         told = scene.told_of("block") | {n for figure in scene.figures for n in figure.blocks}
         if len(told) < len(scene.blocks) or len(told) < 2:
@@ -28,7 +28,12 @@ def pronoun(scene: Scene, word: str) -> Ref:
         return Ref("patch", [0, 1], no=True)
     if word == "that one":  # of several that were told of
         some = [ref for ref in scene.before if ref.rest and len(ref.ids) == 1]
+        new = [ref for ref in scene.before if ref.fresh and ref.kind == "block" and len(ref.ids) == 1]
+        if not some and not scene.here and len(new) == 1 and not _is_member(scene, new[0].ids[0]):
+            return replace(new[0], fresh=False)  # what is told of for the first time right before
         return replace(some[0], rest=[], bound="") if len(some) == 1 else pronoun(scene, "it")
+    if word == "its":
+        return _its(scene)
     many = word in {"they", "their", "them", "these", "those", "both", "each"}
     earlier = scene.earlier[::-1] if word == "both" else []  # two that were told of farther back
     for spoken in (scene.here, scene.before, *earlier):
@@ -47,6 +52,8 @@ def pronoun(scene: Scene, word: str) -> Ref:
         first = fits[0] if len({(ref.kind, tuple(ref.ids)) for ref in fits}) == 1 else None
         if first is None or (first.kind == "block" and not many and _is_member(scene, first.ids[0])):
             raise Unclear
+        if many and word != "both" and first.kind == "block" and first.bound:
+            raise Unclear  # "exactly two are on the mat, where they are stacked": all, or just so many
         stocked = {n for lot in scene.stock for n in lot}
         if many and first.kind == "block" and set(first.ids) < stocked and not stocked & scene.used:
             raise Unclear  # those that were told of last, or all that there are
@@ -57,6 +64,37 @@ def pronoun(scene: Scene, word: str) -> Ref:
             return _of_each_of_them(scene) if word in {"both", "each"} else Ref("figure", [whole])
         return replace(first, fresh=False, each=word == "each", bound="", no=False)
     raise Unclear
+
+
+def _its(scene: Scene) -> Ref:
+    """ "(The red block stands on the mat,) a white one to its left": the block, not the mat that it stands on."""
+    ahead = [ref for ref in scene.before if ref.kind == "patch"]
+    kept = scene.before
+    scene.before = [ref for ref in kept if ref not in ahead] or kept
+    try:
+        return pronoun(scene, "it")
+    finally:
+        scene.before = kept
+
+
+def so_many(scene: Scene, noun: Noun) -> Ref:
+    """ "Those three blocks", "the four": as many as were told together, or as all that there are."""
+    every = Ref("block", list(range(len(scene.blocks))))
+    spoken = [ref for told in (scene.here, scene.before) for ref in told if ref.kind == "block"]
+    lots = [ref for ref in spoken if len(ref.ids) == noun.count or (not noun.count and len(ref.ids) > 1)]
+    if noun.noun and any(not scene.blocks[ref.ids[0]].label for ref in lots):  # symbols need not be told as blocks
+        lots = [ref for ref in lots if not scene.blocks[ref.ids[0]].label]
+    new = [n for ref in spoken if ref.fresh and len(ref.ids) == 1 for n in ref.ids]  # told one by one
+    if noun.near and len(new) > 1 and len(new) == (noun.count or len(new)):
+        lots.append(Ref("block", list(dict.fromkeys(new))))
+    if len(every.ids) == noun.count or not noun.near:
+        lots.append(every)
+    if noun.color:
+        lots = [ref for ref in lots if all(scene.blocks[n].color == noun.color for n in ref.ids)]
+    found = {tuple(sorted(ref.ids)): ref for ref in lots[::-1]}
+    if len(found) != 1 or len(lots[0].ids) not in {noun.count, noun.count or len(lots[0].ids)} or lots[0].bound:
+        raise Unclear
+    return Ref("block", lots[0].ids, every=not noun.near)
 
 
 def _of_each_of_them(scene: Scene) -> Ref:
@@ -90,12 +128,13 @@ def _one_of_several(scene: Scene, spoken: Sequence[Ref]) -> list[Ref]:
 def landmark(scene: Scene, said: Place) -> Ref | None:
     """What "it" is, where things are told around it before: "(A and B left of D,) C right of it and E on it".
 
-    What is first told to be at a part of a figure, and then another at its other side, is told around that part."""
-    if scene.around is None or said.of != Pronoun("it") or _others(scene, scene.here):
+    What is first told to be at a part of a figure, and then another at its other side, is told around that part; so is
+    what is told with one verb."""
+    if scene.around is None or said.of not in {Pronoun("it"), Pronoun("its")} or _others(scene, scene.here):
         return None
     relation, target, by_it = scene.around
     inside = target.kind == "block" and _is_member(scene, target.ids[0])
-    other_side = inside and _OPPOSITE.get(relation) == said.relation
+    other_side = (inside or scene.joined) and _OPPOSITE.get(relation) == said.relation
     return target if other_side or (by_it and relation != said.relation) else None
 
 
@@ -112,9 +151,8 @@ def _is_subject(scene: Scene, ref: Ref) -> bool:
     return scene.subject is not None and ref.kind == scene.subject[0] and set(ref.ids) <= set(scene.subject[1])
 
 
-def _last(scene: Scene) -> Ref:
+def _last(scene: Scene, spoken: Sequence[Ref]) -> Ref:
     """What "which" stands for: what is told right before it."""
-    spoken = scene.here or scene.before
-    if not spoken or spoken[-1].kind == "table":
+    if not spoken or spoken[-1].kind == "table" or (spoken[-1].rest and scene.subject):
         raise Unclear
     return replace(spoken[-1], fresh=False, each=False, bound="", no=False)

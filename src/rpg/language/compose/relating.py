@@ -204,6 +204,10 @@ def place(scene: Scene, ref: Ref, target: Ref, said: Place) -> None:
     name = said.relation
     if target.no:
         said, target = replace(said, no=not said.no), replace(target, no=False)
+        if said.no and said.relation == "on" and target.kind in {"block", "figure"} and len(target.ids) > 1:
+            for n in target.ids:
+                place(scene, ref, Ref(target.kind, [n]), said)
+            return
     if target.kind == "figure" and target.bound == "exactly" and len(ref.ids) == 1 and not said.no:
         target = replace(target, bound="", rest=[])  # what is one is on no other one
     if ref.kind in {"patch", "table"} or target.bound:

@@ -6,9 +6,10 @@ from abc import ABC
 from collections.abc import Iterator
 from dataclasses import replace
 
+from rpg.language import lexicon
 from rpg.language.compose.heads import RELATIONS
 from rpg.language.compose.some_of import SomeOf
-from rpg.language.compose.syntax import Bears, Holding, Holds, Noun, Phrase, Predicate, Pronoun
+from rpg.language.compose.syntax import Bears, Holding, Holds, Looks, Noun, Owns, Phrase, Predicate, Pronoun
 from rpg.language.compose.words import Ways
 
 _HOLDING = ("with", "without", "containing", "having", "including")
@@ -50,6 +51,13 @@ class Relatives(SomeOf, ABC):
             if start := self.past_any(end, "that", "which"):
                 said = [*self.verbs(start), *self._held(start)]
                 yield from ((replace(noun, that=one), stop) for one, stop in said)
+                unlike = self.past_any(start, "is not", "are not")
+                if unlike and (color := lexicon.COLOR.get(self.text(unlike))):
+                    yield replace(noun, that=(Looks(Noun(color=color), no=True),)), unlike + 1
+            elif self.text(end) == "whose":
+                for part, behind in self._head(end + 1, Noun(det="the")):
+                    yield from ((replace(noun, that=(Owns(part, one[0]),)), n) for one, n in self.verbs(behind)
+                                if len(one) == 1)  # fmt: skip
             elif start := self.past_any(end, *_HOLDING):
                 no = self.text(end) == "without"
                 start = self.past_any(start, "any") or start
@@ -59,6 +67,15 @@ class Relatives(SomeOf, ABC):
                         yield from ((replace(noun, that=(Bears(what, where),)), n) for where, n in self.place(stop))
             else:
                 yield from ((replace(noun, that=(where,)), stop) for where, stop in self.place(end))
+
+    def _besides(self, found: Ways[Phrase]) -> Iterator[tuple[Phrase, int]]:
+        """ "the yellow block, which carries the blue one,": what is told of it by the way."""
+        for phrase, end in found:
+            if isinstance(phrase, Noun) and phrase.det in _CHOSEN and (start := self.past_any(end, ", which", ", who")):
+                for said, stop in self.verbs(start):
+                    if self.text(stop) == "," and self.text(start) != "is":
+                        yield replace(phrase, besides=said), stop
+                        yield replace(phrase, besides=said), stop + 1
 
     def _but(self, found: Ways[Phrase]) -> Iterator[tuple[Phrase, int]]:
         """ "every block of it except the middle one"."""

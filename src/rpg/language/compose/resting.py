@@ -47,7 +47,8 @@ def on_patch(scene: Scene, ref: Ref, target: Ref, *, no: bool) -> None:
         scene.facts += [Fact(Ref("block", [n]), "patch", target, no=True) for n in ref.ids]
     else:
         scene.facts.append(Fact(Ref("block", ref.ids), "patch", target))
-    scene.facts += [Fact(Ref("block", [n]), "patch", target, no=True) for n in ref.rest]
+    tacit = not ref.bound
+    scene.facts += [Fact(Ref("block", [n]), "patch", target, no=True, tacit=tacit) for n in ref.rest]
 
 
 def on(scene: Scene, ref: Ref, target: Ref, word: str, *, no: bool) -> None:
@@ -83,6 +84,8 @@ def on(scene: Scene, ref: Ref, target: Ref, word: str, *, no: bool) -> None:
     if any(n in scene.used for n in upper) and len(upper) > 1:
         raise Unclear
     for a, b in zip(upper, target.ids, strict=True):
+        if word == "on" and not no:
+            _join_on_patch(scene, a, b)
         scene.facts.append(Fact(Ref("block", [a]), word, Ref("block", [b]), no=no))
         if word == "on" and not no and (tower := next((f for f in scene.figures if f.blocks[-1] == b), None)):
             if tower.implied:
@@ -92,3 +95,15 @@ def on(scene: Scene, ref: Ref, target: Ref, word: str, *, no: bool) -> None:
                 under.blocks.insert(0, b)
         elif word == "on" and not no and not any({a, b} & set(f.blocks) for f in scene.figures):
             scene.figures.append(Figure("tower", [b, a], told=True, implied=True))
+
+
+def _join_on_patch(scene: Scene, upper: int, lower: int) -> None:
+    """ "(One lies on the red patch,) the third on top of it": what lies on a block on a patch is on the patch.
+
+    Raises Unclear where it is said not to be."""
+    patches = [fact for fact in scene.facts if fact.said == "patch" and fact.b is not None]
+    there = [fact.b for fact in patches if not fact.no and lower in fact.a.ids]
+    denied = [fact for fact in patches if fact.no and upper in fact.a.ids and fact.b in there]
+    if not all(fact.tacit for fact in denied):
+        raise Unclear
+    scene.facts = [fact for fact in scene.facts if fact not in denied]

@@ -117,7 +117,8 @@ class Taken(NamedTuple):
 class Fact:
     """A sentence of the goal: `a`, a verb phrase, and what it relates to. Operands are lists of blocks, or figures.
 
-    `stage`: which of several in turn it is of, from 0 on; -1 at the start.
+    `stage`: which of several in turn it is of, from 0 on; -1 at the start. `tacit`: it follows from what is said of
+    others, of "one of them" that it is on the patch.
     """
 
     a: Ref
@@ -126,6 +127,7 @@ class Fact:
     c: Ref | None = None
     no: bool = False
     stage: int = 0
+    tacit: bool = False
 
 
 @dataclass
@@ -134,8 +136,9 @@ class Scene:
 
     `stock`: lots that the text says there are; `whole` is the lot of which some were told apart last, `taken` those.
     `subject` is what something is being said of, `place` the one of a figure that was told last, `around`
-    what the clause ahead puts something at: in which relation, and whether it was told as "it"; `placed` are figures
-    that are put somewhere, so that it is no part of them that they are put at.
+    what the clause ahead puts something at: in which relation, and whether it was told as "it"; `joined`: this clause
+    has the verb of the one ahead; `placed` are figures that are put somewhere, so that it is no part of them that
+    they are put at.
     `pending`: blocks that lie somewhere on others, and it has still to be said on which of them. `lines`: towers that
     stand in a row; `asked`: something is to be put somewhere; `looked`: it was told how places of
     figures look, so that the others have to be told, too; `facing`: figures told by their sides, as "the left
@@ -166,6 +169,7 @@ class Scene:
     subject: tuple[str, list[int]] | None = None
     place: tuple[Figure, int] | None = None
     placed: list[int] = field(default_factory=list)
+    joined: bool = False
     around: tuple[str, Ref, bool] | None = None
     pending: list[tuple[list[int], list[int]]] = field(default_factory=list)
     lines: list[list[int]] = field(default_factory=list)

@@ -36,11 +36,29 @@ class SomeOf(Contents, ABC):
             ways.append((Noun(det="half"), at + 1))
         for some, end in ways:
             if of := self.past_any(end, "of", "from", "out of"):
-                yield from ((replace(some, of=whole), stop) for whole, stop in (*self.simple(of), *self.series(of)))
+                wholes = [*self.simple(of), *self.series(of)]
+                yield from ((replace(some, of=whole), stop) for whole, stop in wholes)
+                yield from ((replace(some, of=whole), stop) for whole, stop in self._with_others(some.count, wholes))
                 told = [(all_, stop) for all_, stop in self.phrase(of) if labelled(all_, "")]
                 yield from ((replace(some, of=whole), stop) for whole, stop in told)
             elif some.det in {"all", "both"}:
                 yield from ((replace(some, of=whole), stop) for whole, stop in self._noun(end))
+
+    def _with_others(self, some: int, wholes: Ways[Phrase]) -> Iterator[tuple[Phrase, int]]:
+        """ "(one of) the green blocks ... the other green block": how many they are is told with the others."""
+        for whole, end in wholes:
+            if not some or not isinstance(whole, Noun) or not whole.color or whole.count:
+                continue
+            if replace(whole, color="") != Noun(det="the", noun="block", many=True):
+                continue
+            for at in range(end, len(self.items)):
+                left = list(self._others(at)) if self.text(at) == "the" else []
+                told = [noun for noun, _ in left if isinstance(noun, Noun) and noun.color in {"", whole.color}]
+                counts = {noun.count or 1 for noun in told if noun.noun in {"", "block", "one"} and not noun.of}
+                many = any(noun.many and not noun.count for noun in told)
+                if len(counts) == 1 and not many:
+                    yield replace(whole, count=some + counts.pop()), end
+                    break
 
     def _all_but(self, at: int) -> Iterator[tuple[Phrase, int]]:
         """ "(all but) the middle block of the row": each of its blocks but this."""
@@ -63,6 +81,9 @@ class SomeOf(Contents, ABC):
             return
         if self.text(start) == "rest":
             yield Noun(det="other", many=True), start + 1
+            return
+        if end := self.past_any(start, "other half", "second half", "remaining half"):
+            yield Noun(det="other", many=True), end
             return
         if end := self.past_any(start, "one that is left", "one left", "one that is left over", "one left over"):
             yield Noun(det="other", count=1), end

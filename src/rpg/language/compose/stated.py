@@ -7,9 +7,21 @@ from dataclasses import replace
 from rpg.language import lexicon
 from rpg.language.compose.facing import SIDED
 from rpg.language.compose.heights import Heights
-from rpg.language.compose.items import FIGURES, RANK
+from rpg.language.compose.items import FIGURES, RANK, Item
 from rpg.language.compose.looking import FROM_LEFT
-from rpg.language.compose.syntax import Both, Clause, Label, Looks, Made, Noun, Phrase, Predicate, Pronoun, is_figure
+from rpg.language.compose.syntax import (
+    Both,
+    Chain,
+    Clause,
+    Label,
+    Looks,
+    Made,
+    Noun,
+    Phrase,
+    Predicate,
+    Pronoun,
+    is_figure,
+)
 from rpg.language.compose.verbs import AUX, BUILT
 from rpg.language.compose.words import Ways
 
@@ -17,6 +29,11 @@ _LINED = (
     "lined up from left to right", "lined up left to right", "in a row from left to right",
     "in a line from left to right", "from left to right", "left to right",
 )  # fmt: skip
+
+_READ = tuple(f"{reads}{the}" for reads in ("reads", "spells", "says") for the in ("", " the word"))
+_DOWN = ("from top to bottom", "from the top to the bottom", "downwards", "downward", "from the top down",
+         "top to bottom")  # fmt: skip
+_UP = ("from bottom to top", "from the bottom to the top", "upwards", "upward", "from the bottom up", "bottom to top")
 
 _BEHIND_COMMA = frozenset({"in turn", "side by side", "rising", "any order"})
 
@@ -81,14 +98,19 @@ class Stated(Heights):
             for start in starts - {0}:
                 listed = [way for way in self.single(start) if self.text(way[1]) == "," and self.label(way[1] + 1)]
                 found += [
-                    (Clause(what, (place,)), stop) for what, stop in self.single(start) if (what, stop) not in listed
+                    (Clause(what, (place,), fronted=True), stop)
+                    for what, stop in self.single(start)
+                    if (what, stop) not in listed
                 ]
+                for what, stop in self.single(start):
+                    shared = self.shares(stop + 1) if self.text(stop) == "," else []
+                    found += [(Clause(what, (place, *said), fronted=True), last) for said, last in shared]
                 if place.relation == "on" and isinstance(place.of, Noun) and place.of.noun == "patch" and start > end:
                     found += [(Clause(both, (place,)), stop) for both, stop in self.phrase(start) if _blocks(both)]
         return found
 
     def _statement(self, at: int) -> Ways[Clause]:
-        found: Ways[Clause] = []
+        found = self._reads(at)
         asked = self.phrase(at + 1) if self.text(at) in _ASKING else []
         passive = [(what, way) for what, stop in asked if self.text(stop) == "be" for way in self.verbs(stop)]
         found += [(Clause(what, said, "must"), end) for what, (said, end) in passive]  # "could it be put there?"
@@ -108,6 +130,29 @@ class Stated(Heights):
                     found += [(Clause(what, said, "start", aside), end) for said, end in self.predicates(begun)]
             wholly = [(said, end) for said, end in self.verbs(stop) if len(said) == 1 and isinstance(said[0], Looks)]
             found += [(Clause(what, said, "so", but), last) for said, end in wholly for but, last in self.excepted(end)]
+        return found
+
+    def _reads(self, at: int) -> Ways[Clause]:
+        """ "the row on the blue mat reads DOG", "the tower reads CAT from top to bottom"."""
+        found: Ways[Clause] = []
+        for noun, behind in self._head(at + 1, Noun(det="the")) if self.text(at) == "the" else ():
+            if noun not in (Noun(det="the", noun="row"), Noun(det="the", noun="line"), Noun(det="the", noun="tower")):
+                continue
+            bare: Ways[tuple[Predicate, ...]] = [((), behind)]
+            for said, end in [*bare, *(((place,), end) for place, end in self.place(behind) if place.of is not None)]:
+                start = self.past_any(end, *_READ)
+                item = self.items[start] if start and start < len(self.items) else Item("", "")
+                word = item.value or (item.raw if item.raw.isupper() and len(item.raw) > 1 else "")
+                if not word.isalpha():
+                    continue
+                if noun.noun == "tower":
+                    down, up = self.past_any(start + 1, *_DOWN), self.past_any(start + 1, *_UP)
+                    letters = Chain(tuple(Label(letter) for letter in (word if down else word[::-1])))
+                    tower = replace(noun, content=letters, made="of")
+                    found += [(Clause(tower, said, "reads"), down or up)] if down or up else []
+                else:
+                    stop = self.past_any(start + 1, "from left to right", "left to right") or start + 1
+                    found.append((Clause(replace(noun, noun="word", word=word), said, "reads"), stop))
         return found
 
     def _mood(self, at: int) -> str:

@@ -8,20 +8,22 @@ from dataclasses import replace
 from functools import partial
 from itertools import pairwise, permutations
 
+from rpg.language.compose.bearing import bears
+from rpg.language.compose.besides import told_besides
 from rpg.language.compose.changing import change
-from rpg.language.compose.coloring import colored_in_turn, has_at, looks, looks_but_for
+from rpg.language.compose.coloring import colored_in_turn, looks, looks_but_for
 from rpg.language.compose.forming import forms
 from rpg.language.compose.items import PARTS
 from rpg.language.compose.kept_clear import kept_clear
 from rpg.language.compose.lined import put_in_line
 from rpg.language.compose.nouns import resolve
-from rpg.language.compose.one_each import each_of_a_new_one, one_by_one, one_for_each
+from rpg.language.compose.one_each import each_of_a_new_one, in_turn, one_by_one, one_for_each
 from rpg.language.compose.others import check_only
 from rpg.language.compose.pronouns import landmark
 from rpg.language.compose.reading import read_as
 from rpg.language.compose.relating import at_part, bare, between, in_region, place
-from rpg.language.compose.resting import on, tops_of
-from rpg.language.compose.scene import Fact, Impossible, Ref, Scene, Unclear
+from rpg.language.compose.resting import on
+from rpg.language.compose.scene import Impossible, Ref, Scene, Unclear
 from rpg.language.compose.storeys_told import told_in_turn
 from rpg.language.compose.subjects import (
     about_a_block,
@@ -29,6 +31,7 @@ from rpg.language.compose.subjects import (
     check_said,
     check_subject,
     one_of_it,
+    one_that_lies,
     there_is,
     told_of_figures,
 )
@@ -51,18 +54,18 @@ from rpg.language.compose.syntax import (
     Made,
     NotBoth,
     Noun,
+    Owns,
     Phrase,
     Place,
     Predicate,
     Pronoun,
     Reads,
+    Same,
     Shares,
-    any_number,
     changes,
     on_an_end,
 )
 
-_ITSELF = (Pronoun("it"), Pronoun("them"))
 _THE_BLOCK, _THE_ONE = Noun(det="the", noun="block"), Noun(det="the", noun="one")
 
 
@@ -82,7 +85,7 @@ def say(scene: Scene, clause: Clause) -> None:
         scene.stage += clause.later
         change(scene, clause)
     else:
-        _say(scene, clause)
+        _say_all(scene, clause)
         if clause.only:
             check_only(scene, clause, facts)
         scene.stage += clause.later
@@ -95,6 +98,15 @@ def say(scene: Scene, clause: Clause) -> None:
     for figure in scene.figures[figures:]:
         figure.there = clause.mood == "there" and not clause.predicates
         figure.stage = -1 if there or figure.stage < 0 else scene.stage
+
+
+def _say_all(scene: Scene, clause: Clause) -> None:
+    """What a clause says, behind what it tells by the way."""
+    clause, besides = told_besides(clause)
+    scene.joined = clause.joined
+    for told in besides:
+        _say(scene, told)
+    _say(scene, clause)
 
 
 def _one_or_other(scene: Scene, clause: Clause) -> None:
@@ -186,16 +198,10 @@ def _say(scene: Scene, clause: Clause) -> None:
             raise Unclear
         _stacked(scene, subject)
         return
-    if (
-        scene.pending
-        and isinstance(subject, Noun)
-        and subject.count < 2
-        and not subject.det
-        and not subject.color
-        and not subject.ranks
-    ):
+    if scene.pending and isinstance(subject, Noun) and _is_one(subject):
         one_by_one(scene, subject, clause.predicates)
         return
+    subject = one_that_lies(scene, clause)
     own = one_of_it(scene, clause)
     if own is None and each_of_a_new_one(subject, clause.predicates):
         one_for_each(scene, subject, clause.predicates[0])
@@ -225,11 +231,17 @@ def _say(scene: Scene, clause: Clause) -> None:
         _said(scene, ref, said)
         if isinstance(said, Made) and ref.kind == "block" and scene.figures[-1].kind == "tower":
             ref = Ref("figure", [len(scene.figures) - 1])  # what is said next is said of the tower
+    if clause.fronted:
+        scene.mention(replace(ref, fresh=False))  # "behind it stands a tower, which ...": told last
+        scene.around = scene.around if clause.mood else None  # behind "next to it a red block", which is told first
     scene.subject = None
-    scene.around = scene.around if clause.mood else None  # behind "next to it a red block" that is spoken of first
     scene.place_barred()
     if clause.predicates and ref.kind == "block":
         scene.used.update(ref.ids)
+
+
+def _is_one(noun: Noun) -> bool:
+    return noun.count < 2 and not (noun.det or noun.color or noun.ranks)
 
 
 def _is_at(scene: Scene, subject: Phrase, said: Sequence[Predicate]) -> bool:
@@ -320,16 +332,20 @@ def _said(scene: Scene, ref: Ref, said: Predicate) -> None:
     if ref.no:
         if not isinstance(said, Place) or said.of is None:
             raise Unclear
+        if isinstance(said.of, Noun) and said.of.det == "any":  # "neither of them touches any of those"
+            said = replace(said, of=replace(said.of, det="each"))
         said, ref = replace(said, no=not said.no), replace(ref, no=False)
     if isinstance(said, InLine):
         put_in_line(scene, ref, said.places)
     elif isinstance(said, Made):
         forms(scene, ref, said.figure)
+    elif isinstance(said, Looks) and said.no:
+        raise Unclear
     elif isinstance(said, Looks):
         looks(scene, ref, said)
     elif isinstance(said, Bears):
-        _bears(scene, ref, said)
-    elif isinstance(said, Among | Change | Holds | Holding | InTurn | NotBoth | Reads):
+        bears(scene, ref, said)
+    elif isinstance(said, Among | Change | Holds | Holding | InTurn | NotBoth | Owns | Reads | Same):
         raise Unclear
     elif said.relation == "region":
         in_region(scene, ref, said)
@@ -356,43 +372,16 @@ def _placed(scene: Scene, ref: Ref, said: Place) -> None:
     target = scene.mention(around) if around else resolve(scene, of)
     scene.placed = []
     if len(target.ids) == 1:
-        scene.around = (said.relation, target, of == Pronoun("it"))
+        scene.around = (said.relation, target, of in {Pronoun("it"), Pronoun("its")})
     if target.either and (said.no or len(ref.ids) > 1 or ref.each):
         raise Unclear  # on none of them, or not on one; all on one, or some on each
+    both = isinstance(of, Noun) and of.det == "both" and ref.kind == "figure"
+    if ref.fresh and said.relation != "on" and ((target.each and of == Pronoun("each")) or both):
+        raise Unclear  # one for each, or one for all
+    if said.how == "respectively":
+        in_turn(scene, ref, target, said)
+        return
     named = isinstance(of, Noun) and of.det == "the" and not of.many
     if target.fresh and not named and target.kind == "block" and (ref.each or len(ref.ids) > len(target.ids)):
         raise Unclear  # one for each, or one for all
     place(scene, ref, target, said)
-
-
-def _bears(scene: Scene, ref: Ref, said: Bears) -> None:
-    """Something lies on it, or nothing does."""
-    if isinstance(said.what, Label):
-        raise Unclear  # it may be the symbol on it
-    if said.what is None:
-        for n in tops_of(scene, ref):
-            scene.facts.append(Fact(Ref("block", [n]), "clear"))
-        return
-    where = said.place
-    on_each = where is not None and where.relation == "on" and where.of in _ITSELF and ref.kind == "block"
-    if said.place is not None and said.place.relation != "top" and not on_each:
-        if said.place.of is None and ref.kind == "figure" and said.place.relation in {"bottom", "middle"}:
-            has_at(scene, ref, said.what, said.place.relation)
-            return
-        if said.place.of is None:
-            raise Unclear
-        own = said.place.of in {Pronoun("it"), Pronoun("them")}  # it has something beside itself
-        if own and (len(ref.ids) > 1 or ref.bound):
-            raise Unclear
-        first = resolve(scene, said.what)
-        scene.around = (said.place.relation, ref, True) if own else scene.around
-        place(scene, first, ref if own else resolve(scene, said.place.of), said.place)
-        return
-    tops = tops_of(scene, ref)
-    what = said.what
-    if len(tops) > 1 and isinstance(what, Noun) and (what.det in {"a", "each"} or any_number(what)):
-        for n in tops:
-            one = resolve(scene, replace(what, det="a", many=False))
-            on(scene, one, Ref("block", [n]), "on", no=False)
-        return
-    on(scene, resolve(scene, said.what), Ref("block", tops), "on", no=False)

@@ -55,6 +55,8 @@ class Storeys(Series):
             end = behind
             bare = end if self.text(end) in lexicon.COLOR and not self.items[end].many else 0  # "red blue red blue"
             start = self.past_any(end, "and", ", and", ",", ", then", "then", "and then") or bare
+        if noun.noun == "row" and len(parts) > 2 and parts == parts[::-1]:  # the same from either end
+            found.append((replace(noun, content=Chain(tuple(parts)), made="of", order="listed"), end))
         end += self.text(end) == ","
         if len(parts) < 2:
             return found

@@ -19,6 +19,7 @@ from rpg.language.compose.syntax import (
     Looks,
     Made,
     Noun,
+    Phrase,
     Place,
     Pronoun,
     Shares,
@@ -26,7 +27,7 @@ from rpg.language.compose.syntax import (
 )
 
 _BESIDE = frozenset({*SIDES, "next", "near", "far"})
-_LINED = frozenset({"tower", "row", "line", "column"})
+LINED = frozenset({"tower", "row", "line", "column"})
 _UPON = frozenset({"top", "left", "right"})
 _ITS = (None, Pronoun("it"))
 _MUTUAL = frozenset({"touching", "side by side", "apart"})
@@ -35,6 +36,8 @@ _MUTUAL = frozenset({"touching", "side by side", "apart"})
 def told_of_figures(scene: Scene, clause: Clause) -> Clause:
     """ "One tower is white on red", "the three stacks are ...": new ones are made of what is told of them."""
     subject, said = clause.subject, clause.predicates[:1]
+    if clause.mood == "reads" and any(f.kind in LINED and not scene.blocks[f.blocks[0]].label for f in scene.figures):
+        raise Unclear  # is it that one?
     if not said or not isinstance(said[0], Looks) or not isinstance(said[0].like, Chain | Listing):
         return clause
     if not isinstance(subject, Noun) or subject.content is not None or subject.of is not None:
@@ -107,7 +110,7 @@ def one_of_it(scene: Scene, clause: Clause) -> Ref | None:
     inside = said.how == "at" or (ends and said.relation == "in")
     last = next((ref for ref in scene.before if ref.kind == "figure" and len(ref.ids) == 1), None)
     figure = scene.figures[last.ids[0]] if last is not None else None
-    if not new or not (inside or said.relation in _UPON) or figure is None or figure.kind not in _LINED or figure.told:
+    if not new or not (inside or said.relation in _UPON) or figure is None or figure.kind not in LINED or figure.told:
         return None
     like = [n for n in figure.blocks if scene.blocks[n].color == subject.color and n not in figure.placed.values()]
     count = 2 if ends else 1
@@ -120,12 +123,38 @@ def one_of_it(scene: Scene, clause: Clause) -> Ref | None:
     return scene.mention(Ref("block", like[:count]))
 
 
+def one_that_lies(scene: Scene, clause: Clause) -> Phrase:
+    """ "(The red block is not on the mat,) but the blue one is on it": a block, as ahead; no mat."""
+    subject, said = clause.subject, clause.predicates[0] if clause.predicates else None
+    if not isinstance(said, Place) or not isinstance(subject, Noun) or subject.noun != "one":
+        return subject
+    if said.relation == "empty" and scene.patches:
+        return replace(subject, noun="patch")
+    lies = said.relation in {"on", "in", "off"} or (said.relation in _BESIDE and not scene.patches)
+    if not lies or said.of is None or not subject.color or subject.ranks:
+        return subject
+    ahead = scene.before[0] if scene.before else None
+    blocks = ahead is not None and ahead.kind == "block" and subject.det in {"the", *ALL}
+    return replace(subject, noun="block") if blocks else subject
+
+
 def check_subject(scene: Scene, clause: Clause, ref: Ref) -> None:
     """Raises Unclear where something may be said of other blocks than of those."""
     subject = clause.subject
+    in_turn = [said.of for said in clause.predicates if isinstance(said, Place) and said.how == "respectively"]
+    for of in (subject, *in_turn) if in_turn else ():
+        if not isinstance(of, Both) or of.either or any(not _is_one(part) for part in of.parts):
+            raise Unclear  # in which order they are is not told
     if ref.kind != "block":
         return
     if isinstance(subject, Noun):
+        if subject.det == "any":
+            raise Unclear  # every one of them, or just one
+        sided = any(
+            isinstance(said, Place) and said.of is None and said.relation in SIDES for said in clause.predicates
+        )
+        if sided and not clause.mood and not (subject.det or subject.noun or subject.count):
+            raise Unclear  # "a row of three orange blocks, white on the left": at its end, or beside it
         like = sum(block.look == scene.blocks[ref.ids[0]].look for block in scene.blocks)
         denied = any(isinstance(said, Place) and said.no for said in clause.predicates)
         if denied and subject.det in {"a", "another", ""} and not subject.of and like > 1:
@@ -166,9 +195,13 @@ def _is_elsewhere(scene: Scene, ref: Ref, clause: Clause) -> bool:
     return any(fact.said == ("patch" if patches else "on") for fact in own)
 
 
+def _is_one(phrase: Phrase) -> bool:
+    return isinstance(phrase, Label) or (isinstance(phrase, Noun) and not phrase.many and phrase.count < 2)
+
+
 def there_is(scene: Scene, ref: Ref, mood: str) -> None:
     """Blocks that are told of by themselves are those that the rest of the text is about."""
-    if (ref.kind == "patch" and mood in {"there", "seen"}) or ref.kind == "mixed":
+    if (ref.kind == "patch" and mood in {"there", "seen", "in"}) or ref.kind == "mixed":
         return
     if mood == "so" and ref.kind == "figure":
         return  # how high it is
@@ -199,7 +232,7 @@ def check_said(clause: Clause, ref: Ref) -> None:
     places = [said for said in clause.predicates if isinstance(said, Place)]
     if clause.mood == "may" and not ref.no and not all(isinstance(said, Either) for said in clause.predicates):
         raise Unclear  # this is allowed, not asked for
-    several = isinstance(clause.subject, Both) and is_figure(clause.subject)
+    several = isinstance(clause.subject, Both) and not clause.subject.either and is_figure(clause.subject)
     if several and clause.mood != "put" and any(said.of is not None for said in places):
         raise Unclear  # "a row and a tower on the mat": both of them, or the last one
     if (

@@ -18,9 +18,10 @@ class Noun:
     `det`: "a", "the", "each", "all", "both", "no", "other", "another", "any", or "" for none. `bound`: "exactly",
     "least" or "most", of `count`. `noun`: "block", "patch", "table", a figure, a part, or "" where it is left out.
     `of`: the whole that it is a part of, or those that it is some of. `content`: what it is made of, told with the word
-    `made`. `but`: those that are left out. `that`: what is so of those that are meant, and of no others. `order`:
-    "alphabetical", "ascending", "descending" or "any"; `way`: where a figure rises or points; `gaps`: how far apart the
-    blocks of a line are told to be; `limbs`: the parts of a letter.
+    `made`. `but`: those that are left out. `that`: what is so of those that are meant, and of no others; `besides`:
+    what is told of them by the way; `near`: they were told right before, as "those three". `order`: "alphabetical",
+    "ascending", "descending" or "any"; `way`: where a figure rises or points; `gaps`: how far apart the blocks
+    of a line are told to be; `limbs`: the parts of a letter.
     """
 
     det: str = ""
@@ -38,6 +39,8 @@ class Noun:
     made: str = ""
     but: Phrase | None = None
     that: tuple[Predicate, ...] = ()
+    besides: tuple[Predicate, ...] = ()
+    near: bool = False
     order: str = ""
     way: str = ""
     gaps: str = ""
@@ -90,8 +93,8 @@ Phrase = Listing | Noun | Label | Pronoun | Both | Chain
 class Place:
     """A relation to something.
 
-    `how`: "directly", "immediately", "somewhere" or nothing; `cm` with `bound`: a distance; `no`: it is denied; `side`:
-    where an order goes.
+    `how`: "directly", "immediately", "somewhere", "respectively" or nothing; `cm` with `bound`: a distance;
+    `no`: it is denied; `side`: where an order goes.
     """
 
     relation: str
@@ -112,10 +115,12 @@ class Made:
 
 @dataclass(frozen=True, slots=True)
 class Looks:
-    """What looks so: "is red", "is B"; `at`: at a place of it, "is red at the bottom"."""
+    """What looks so: "is red", "is B"; `at`: at a place of it, "is red at the bottom"; `no`: it does not, told only of
+    those that are meant."""
 
     like: Phrase
     at: str = ""
+    no: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -149,6 +154,14 @@ class Holds:
 
 
 @dataclass(frozen=True, slots=True)
+class Owns:
+    """What is so of a part of it: "whose top block is yellow". Told only of those that are meant."""
+
+    part: Noun
+    said: Predicate
+
+
+@dataclass(frozen=True, slots=True)
 class Either:
     """One place or another: "on the patch or next to it"."""
 
@@ -176,6 +189,13 @@ class Reads:
     """Which word they show: "so it reads CAT"."""
 
     word: str
+
+
+@dataclass(frozen=True, slots=True)
+class Same:
+    """What was said of something else ahead: "(A must not be on the mat,) but B must be"."""
+
+    no: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -208,6 +228,8 @@ class Change:
 
 ALL = frozenset({"each", "all", "both"})
 """What is said of every one of several."""
+OWN = "own"
+"""The colour of what has that of the thing that it is put on: "a block of its own colour"."""
 TOWER = Noun(det="a", noun="tower")
 NOTHING = Noun(det="no", noun="block")
 TOLD = frozenset({"", "so", "there", "seen", "start", "lies", "with", "in"})
@@ -222,12 +244,14 @@ Predicate = (
     | Reads
     | Shares
     | NotBoth
+    | Same
     | Place
     | Made
     | Looks
     | Bears
     | Holds
     | Holding
+    | Owns
     | Either
 )
 
@@ -237,9 +261,10 @@ class Clause:
     """What is said of something; no predicate: there is such a thing, or it is to be built.
 
     `mood`: "put" and "build" are commands, "so" says that it is so, "must" that it has to be, "there" what there is,
-    "seen" what a picture shows, "start" and "end" what is so then, "may" what is allowed, "change" what becomes of what
-    is there; "lies" tells what there is before that. `aside`: what is told between the subject and its verb.
-    `first`, `later`: "first", "then". `other`: what else may be so instead. `only`: it is so of nothing else.
+    "seen" what a picture shows, "reads" what one reads there, "start" and "end" what is so then, "may" what is allowed,
+    "change" what becomes of what is there; "lies" tells what there is before that. `aside`: what is told between the
+    subject and its verb. `first`, `later`: "first", "then". `other`: what else may be so instead. `only`: it is so of
+    nothing else. `fronted`: the place is told ahead. `joined`: it has the verb of the clause ahead.
     """
 
     subject: Phrase
@@ -250,6 +275,8 @@ class Clause:
     later: bool = False
     other: Clause | None = None
     only: bool = False
+    fronted: bool = False
+    joined: bool = False
 
 
 def is_figure(phrase: Phrase, but: str = "") -> bool:

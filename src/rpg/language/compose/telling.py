@@ -191,7 +191,7 @@ def _fact(scene: Scene, fact: Fact) -> str:
     if fact.b is None and fact.said.endswith((IN_A_ROW, "on the table", "of the table")):
         return _sentence(f"{a} must be {fact.said}")
     if fact.said == "empty":
-        return _sentence(f"{a} must be empty")
+        return _sentence(f"{a} {must} be empty")
     assert fact.b is not None
     tower = _topped(scene, fact)
     b = _operand(scene, tower or fact.b)

@@ -20,6 +20,7 @@ from rpg.language.compose.syntax import (
     Phrase,
     Place,
     Predicate,
+    Same,
     Shares,
 )
 from rpg.language.compose.words import Ways, remembered
@@ -55,6 +56,10 @@ _MOVED = frozenset({"moved", "touched", "displaced"})
 _NOT_BOTH = tuple(f"{but} not both{of}" for but in ("but", ", but") for of in ("", " of them"))
 _OTHER = tuple(f"{also} {other}" for also in ("and", ", and", ",") for other in ("one", "the other", "the other one"))
 _INTO = ("in", "into", "as", "to form", "to make", "in the shape of", "out as")
+_MUST = ("must", "should", "shall", "has to", "have to", "needs to", "need to", "is to", "are to")
+_END = frozenset({"", ",", ".", ";", "!", "?"})
+_ONE_ON_OTHER = tuple(f"one {stacked}{on} {other}" for stacked in ("", "stacked ", "placed ", "standing ")
+                      for on in ("on", "on top of", "atop") for other in ("the other", "another"))  # fmt: skip
 _PILED = frozenset({"stacked", "piled"})
 _FLAT = frozenset({"patch", "table"})
 
@@ -75,20 +80,27 @@ class Verbs(Looking):
         formed = [(figure, way) for figure, end in self.into(at) for way in self.predicates(end)]
         found += [((Made(figure), *more), stop) for figure, (more, stop) in formed]
         found += self._either(at)
-        found += self._shares(at)
+        found += self._one_on_other(at)
+        found += self.shares(at)
         for place, end in self.place(at):
             found.append(((place,), end))
-            found += [((place, *shared), stop) for shared, stop in self._shares(end + (self.text(end) == ","))]
+            if in_turn := self.past_any(end, "respectively", ", respectively"):
+                found.append(((replace(place, how="respectively"),), in_turn))
+            found += [((place, *shared), stop) for shared, stop in self.shares(end + (self.text(end) == ","))]
             if both := self.past_any(end, *_NOT_BOTH):
                 found.append(((place, NotBoth()), both))
             for more, stop in self.place(end):
                 if more.of is None and more.relation in {"flat", "side by side", "touching"}:
                     found.append(((place, more), stop))
+            if self.text(end) == ",":
+                found += [((place, *piled), stop) for piled, stop in self._one_on_other(end + 1)]
             ways = {self.past_any(end, way) for way in ("and", "but", ", but", ", and", ",")} - {0}
             ways -= set() if place.no else {self.past_any(end, "but"), self.past_any(end, ", but")}
             ways -= {self.past_any(end, "and"), self.past_any(end, ", and")} if place.no else set()
             lifted = place.relation in {"on", "between"} and not (isinstance(place.of, Noun) and place.of.noun in _FLAT)
-            ways -= {end + 1} if lifted and self.text(end) == "," else set()  # what is beside it may be the whole
+            denied = self.text(end + 1) == "not" or self.text(end + 2) in {"neither", "none"}
+            if lifted and self.text(end) == "," and not denied:
+                ways -= {end + 1}  # what is beside it may be the whole
             for start in ways:
                 more_said = [*self.predicates(start), *(self.verbs(start) if self.text(start - 1) != "," else ())]
                 found += [((place, *more), stop) for more, stop in more_said]
@@ -105,7 +117,7 @@ class Verbs(Looking):
                         found.append((what, end))
         return found
 
-    def _shares(self, at: int) -> Ways[tuple[Predicate, ...]]:
+    def shares(self, at: int) -> Ways[tuple[Predicate, ...]]:
         """ "one on its left and one on its right", "one to the left and the other to the right of it"."""
         found: Ways[tuple[Predicate, ...]] = []
         for first, end in self.place(at + 1) if self.text(at) == "one" else ():
@@ -185,6 +197,7 @@ class Verbs(Looking):
                 found += self._borne(what, stop)
         if (end := self.past_any(start, "contain", "contains", "include", "includes")) and not denied:
             found += [((Holds(what),), stop) for what, stop in self.single(end)]
+        found += self._same(at)
         if end := self.past_any(start, "touch", "touches", "touching"):
             found += [((Place("touch", of, no=denied),), stop) for of, stop in self.phrase(end)]
             if each := self.past_any(end, "each other", "one another"):
@@ -198,6 +211,22 @@ class Verbs(Looking):
         found += [((Made(figure), *more), last) for more, last in self.verbs(that)]
         found += [((Made(figure), *more), last) for more, last in self.predicates(at)]
         return found
+
+    def _same(self, at: int) -> Ways[tuple[Predicate, ...]]:
+        """ "must be", "must not": what was said ahead."""
+        aux = self.past_any(at, *_MUST)
+        no = self.past_any(aux, "not") if aux else 0
+        found: Ways[tuple[Predicate, ...]] = []
+        for end in {no or aux, self.past_any(no or aux, "be")} - {0}:
+            if self.text(end) in _END:
+                found.append(((Same(no > 0),), end))
+                found += [((Same(), *piled), stop) for piled, stop in self._one_on_other(end + 1) if not no]
+        return found
+
+    def _one_on_other(self, at: int) -> Ways[tuple[Predicate, ...]]:
+        """ "one on top of the other"."""
+        end = self.past_any(at, *_ONE_ON_OTHER)
+        return [((Made(TOWER),), end)] if end else []
 
     def _neither(self, at: int) -> Ways[tuple[Predicate, ...]]:
         """ "neither at its top nor at its bottom"."""

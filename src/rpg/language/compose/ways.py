@@ -10,7 +10,7 @@ from dataclasses import replace
 from rpg.language.compose.clauses import Reader, Step
 from rpg.language.compose.scene import Impossible, Scene, Unclear
 from rpg.language.compose.statements import say
-from rpg.language.compose.syntax import Clause, Made, Noun, Place, is_figure, several
+from rpg.language.compose.syntax import Both, Clause, Made, Noun, Place, Predicate, Same, is_figure, several
 
 _MOST = 300
 """So many ways to read a text are looked at; one with more of them is not read."""
@@ -20,6 +20,9 @@ _MOST_OPEN = 20
 """So many may be left by what is said ahead of a clause that leaves fewer of them."""
 _MOST_CLAUSES = 2000
 """So many clauses are tried for it."""
+
+
+_ONE_MORE = (Noun(noun="one"), Noun(count=1), Noun(det="another", noun="one"), Noun(det="another"))
 
 
 class TooMany(Exception):
@@ -75,6 +78,37 @@ def _said(told: bytes, clause: Clause) -> list[Scene]:
     return scenes
 
 
+def _of_same_place(last: Clause, clause: Clause) -> Clause:
+    """ "(A must not be on the mat,) but B must be": on the mat."""
+    if not any(isinstance(said, Same) for said in clause.predicates):
+        return clause
+    place = last.predicates[0] if len(last.predicates) == 1 and last.other is None else None
+    if not isinstance(place, Place) or (isinstance(place.of, Noun) and place.of.det in {"no", "any", "each", "a"}):
+        raise Unclear
+    said = tuple(replace(place, no=one.no) if isinstance(one, Same) else one for one in clause.predicates)
+    return replace(clause, predicates=said)
+
+
+def _one_more(last: Clause, clause: Clause) -> Clause:
+    """ "(A white block to its left and) another to its right", "one behind it": one more that looks like that."""
+    ahead = last.subject
+    if clause.subject not in _ONE_MORE or clause.mood or not clause.predicates or not isinstance(ahead, Noun):
+        return clause
+    new = ahead.det == "a" or (not ahead.det and ahead.count == 1 and not ahead.bound)
+    if not new or not ahead.color or replace(ahead, det="", count=0, color="", noun="") != Noun():
+        return clause
+    return replace(clause, subject=Noun(det="a", color=ahead.color, noun="block"))
+
+
+def _is_new(said: Predicate) -> bool:
+    """Whether something is told without regard to what was told ahead."""
+    return not (isinstance(said, Place) and isinstance(said.of, Noun) and (said.of.that or said.of.det == "other"))
+
+
+def _is_either(said: Predicate) -> bool:
+    return isinstance(said, Place) and isinstance(said.of, Both) and said.of.either
+
+
 def _so_at_start(clause: Clause) -> Clause:
     """ "At the start A is on B and C on D": both are."""
     said = clause.predicates and clause.mood in {"so", ""}
@@ -84,6 +118,7 @@ def _so_at_start(clause: Clause) -> Clause:
 def _behind(last: Step, clause: Clause) -> Clause:
     """A clause behind another one: it may be of later, or have its verb."""
     clause = replace(clause, later=last.later or clause.later)
+    clause = _one_more(last.clause, _of_same_place(last.clause, clause))
     subject = last.clause.subject
     new = is_figure(subject) and not (isinstance(subject, Noun) and subject.det == "the")
     if last.said and not clause.mood and clause.predicates:
@@ -94,6 +129,10 @@ def _behind(last: Step, clause: Clause) -> Clause:
     denied = any(isinstance(said, Place) and said.no for said in last.clause.predicates)
     if last.joined and denied and not clause.mood and last.clause.mood == "put":
         raise Unclear  # "do not put A on B and C on D": is that denied, too?
+    told = last.joined and not clause.mood and all(map(_is_new, clause.predicates))
+    if told and any(map(_is_either, last.clause.predicates)):
+        raise Unclear  # "put A on B or C, and D on the mat": what does "and" join, and what "or"?
+    clause = replace(clause, joined=last.joined and not clause.mood and bool(clause.predicates))
     if not last.joined or clause.mood or not clause.predicates or last.clause.mood != "put":
         return clause
     stacked = last.clause.predicates[:1]

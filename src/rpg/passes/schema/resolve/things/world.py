@@ -356,13 +356,9 @@ def refuse(code: str, message: str, span: Span | None = None, hint: str | None =
     )  # fmt: skip
 
 
-class WhichOne(Refusal):
-    """Which of several things a phrase stands for is not clear by what it says of one of them alone."""
-
-
-def which_one(message: str, span: Span | None, hint: str) -> WhichOne:
+def which_one(message: str, span: Span | None, hint: str) -> Refusal:
     """A refusal with the question which one is meant."""
-    return WhichOne(refuse("ambiguous", message, span, hint).diagnostics)
+    return refuse("ambiguous", message, span, hint)
 
 
 def said(thing: Thing) -> str:

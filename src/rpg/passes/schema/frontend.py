@@ -62,6 +62,7 @@ from rpg.passes.schema.namings_had import check_namings
 from rpg.passes.schema.nothing_more import MOST as MOST_MORE
 from rpg.passes.schema.nothing_more import without_more
 from rpg.passes.schema.order_told import check_one_order, check_order
+from rpg.passes.schema.resolve.things.world import WhichOne
 from rpg.passes.schema.respelt import Respelt
 from rpg.passes.schema.said_behind import check_behind
 from rpg.passes.schema.second_opinion import check_guess
@@ -235,7 +236,7 @@ class BuiltinFrontEnd:
                     check_behind(typed, found.task)
                     return found.task, found.notes
             again = again and not isinstance(refusal, TwoReadings)  # people are asked which one they mean
-            parsed = refusal.diagnostics[0].code in _PARSED
+            parsed = refusal.diagnostics[0].code in _PARSED or isinstance(refusal, WhichOne)
             found_again = self._retold(typed, text, name, seed, author, notes, parsed=parsed) if again else (None, ())
             if found_again[0] is not None:
                 return found_again
@@ -353,9 +354,9 @@ _NOT_UNDERSTOOD = frozenset({"misplaced-word", "incomplete"})
 _PARSED = frozenset({
     "misplaced-word", "incomplete", "misplaced", "no-referent", "unused-block", "no-goal", "self-reference",
     "count-mismatch", "too-many-asked", "order-conflict", "fixed-patch", "contradiction", "support-cycle",
-    "too-many-namings", "ambiguous",
+    "too-many-namings",
 })  # fmt: skip
-"""Why a text is refused that may be parsed otherwise."""
+"""Why a text is refused that may be parsed otherwise, as it may where it is asked which one of several is meant."""
 _NOT_KNOWN = frozenset({"unknown-word", "misplaced"})
 """Why a text is refused that may be understood without a clause of it, too."""
 _CANNOT_BOTH_BE = frozenset({"contradiction", "support-cycle", "self-reference"})

@@ -356,9 +356,13 @@ def refuse(code: str, message: str, span: Span | None = None, hint: str | None =
     )  # fmt: skip
 
 
-def which_one(message: str, span: Span | None, hint: str) -> Refusal:
+class WhichOne(Refusal):
+    """Which of several things a phrase stands for is not clear by what it says of one of them alone."""
+
+
+def which_one(message: str, span: Span | None, hint: str) -> WhichOne:
     """A refusal with the question which one is meant."""
-    return refuse("ambiguous", message, span, hint)
+    return WhichOne(refuse("ambiguous", message, span, hint).diagnostics)
 
 
 def said(thing: Thing) -> str:

@@ -88,7 +88,8 @@ def _figures_called(said: list[Token]) -> set[tuple[int, int]]:
     pairs = [(name, behind) for noun, name, behind in zip(said, said[1:], said[2:], strict=False)
              if noun.word in lexicon.STRUCTURE and len(name.raw) == 1]  # fmt: skip
     names = {name.word for name, behind in pairs if behind.word in (":", "has", "is", "consists", "contains")}
-    return {name.span for noun, name in pairwise(said)
+    counted = {name.span for noun, name in pairwise(said) if noun.word in _COUNTED_OFF}  # "position 1 red, position 2"
+    return counted | {name.span for noun, name in pairwise(said)
             if name.word in names and (noun.word in lexicon.STRUCTURE or name.raw.isupper())}  # fmt: skip
 
 
@@ -130,6 +131,7 @@ def _look(block: Block) -> str:
     return (block.label or block.color) if isinstance(block, SemanticCube) else block.color
 
 
+_COUNTED_OFF = frozenset({"position", "place", "slot", "cell", "spot", "number", "no", "nr", "field", "seat"})
 _IDLE = frozenset({"distractor", "distractors", "anywhere", "ignore", "ignored", "unused"})
 
 

@@ -17,9 +17,9 @@ _TYPED = {
     "shld": "should", "shud": "should", "shd": "should", "wud": "would", "wld": "would",
     "cud": "could", "cld": "could", "ya": "you", "yall": "you", "da": "the", "de": "the", "dis": "this", "dat": "that",
     "dem": "them", "cuz": "because", "bcs": "because", "bcuz": "because", "nxt": "next", "bhnd": "behind",
-    "sry": "sorry", "tho": "though", "frm": "from", "evry": "every", "othr": "other", "wth": "with",
-    "lil": "little", "smth": "something", "blu": "blue", "abv": "above", "blw": "below", "hv": "have", "nd": "and",
-    "tht": "that", "ths": "this", "th": "the", "frnt": "front", "kk": "okay",
+    "sry": "sorry", "tho": "though", "frm": "from", "ther": "there", "thre": "there", "evry": "every", "othr": "other",
+    "wth": "with", "lil": "little", "smth": "something", "blu": "blue", "abv": "above", "blw": "below", "hv": "have",
+    "nd": "and", "tht": "that", "ths": "this", "th": "the", "frnt": "front", "kk": "okay",
 }  # fmt: skip
 """Words without some of their letters."""
 _ENDS = frozenset({"left", "right", "front", "back", "top", "bottom", "near", "far"})

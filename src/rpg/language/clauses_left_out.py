@@ -166,6 +166,8 @@ _WHOM = _OURS - listed("i we he she nobody") | {"them", "him"}
 
 def _harmless(token: Token, words: Sequence[str], n: int, tried: bool) -> bool:
     word, after = token.word, words[n + 1 : n + 3]
+    if word == "i" and (after[:1] in (["is"], ["goes"], ["sits"], ["stands"]) or words[max(0, n - 1) : n] == ["on"]):
+        return False  # "i is on a": a letter
     if word in ("i", "a", "an"):
         return token.kind == "word"
     if token.kind != "word" or (len(token.raw) > 1 and token.raw.isupper() and word in lexicon.COLOR):

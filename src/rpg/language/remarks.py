@@ -177,6 +177,8 @@ def _ahead(tokens: list[Token], begin: int, end: int, sentence: int) -> tuple[in
     """ "I am in a hurry so put ...", "today put ...": talk that nothing sets off; "we" stays in front of "and need".
     `sentence`: where it begins, with other such talk."""
     words = [token.word for token in tokens[begin:end]]
+    if words[:2] == ["from", ":"]:
+        return None  # "from: ..., to: ..."
     called = addressed_at(words)
     called = called or (exclaimed(tokens[begin].word) and tokens[begin].word not in vocabulary())
     if called and begin + called < end - 2 and (tokens[begin + called].word in lexicon.COMMANDS | _PLEASE | _TURNED):

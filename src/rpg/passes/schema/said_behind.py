@@ -31,6 +31,7 @@ from rpg.passes.schema.one_like_it import check_one_like_it
 from rpg.passes.schema.pyramid_told import check_pyramid
 from rpg.passes.schema.resolve.things.world import refuse
 from rpg.passes.schema.said_of_all import check_said_of_all
+from rpg.passes.schema.there_of_which import check_there_of_which
 from rpg.passes.schema.told_apart import check_told_apart
 from rpg.passes.schema.towers_stacked import check_one_on_other, check_towers_stacked
 from rpg.passes.schema.which_has import check_which_has
@@ -72,6 +73,7 @@ def check_behind(tokens: list[Token], task: TaskSchema) -> None:
     check_towers_stacked(tokens, task)
     check_one_on_other(tokens, task)
     check_could_be_both(tokens, task)
+    check_there_of_which(tokens, task)
 
 
 _SIDE = r"(?:on|at) the (?:\w+ )?(?:left|right|top|bottom|front|back|near|far)(?: end| side)?"

@@ -131,6 +131,7 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
         for item, k in items:
             if previous is not None and _no_clause(p, j, k, previous, item):
                 continue
+            item = _of_all_of_them(previous, item) if previous is not None else item
             item = cut_by_or(p, j, previous, item) if link == "or" and previous is not None else item
             if item is None:
                 continue
@@ -147,16 +148,35 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
             yield from ((found, k) for found in _so_far(p, (i, j, k), (*had, item), (*links, link)))
             yield from _more(p, i, (*had, item), (*links, link), k)
         if previous is not None:
-            denied = p.stands(p.opt(at, ","), ("but",))
+            denied = p.stands(p.opt(at, ","), ("but",)) or (
+                p.words[at] == "," and j == at + 1 and _denies_looks(previous)
+            )
             for theme, k in noun_phrase(p, j) if link in ("before", "after") or there_in_turn(previous, link) else ():
                 said = replace(previous, theme=theme, span=p.span(j, k))
                 if (other := in_its_turn(p, k, previous, said) if link == "then" else said) is not None:
                     yield Chain(clauses=(*had, other), links=(*links, link), span=p.span(i, k)), k
             for item, k in gapped(p, j, replace(previous, negated=False) if denied else previous):
+                item = _of_all_of_them(previous, item)
                 if (told := _meant_again(p, (at, j, k), had, item, link)) is not None:
                     whole, joint = (*_shared(had, told[0], told[1]), told[0]), told[1]
                     yield from ((found, k) for found in _so_far(p, (i, j, k), whole, (*links, joint)))
                     yield from _more(p, i, whole, (*links, joint), k)
+
+
+def _denies_looks(clause: Clause) -> bool:
+    """ "(Three blocks,) none of them blue(, on the mat)": what follows is denied of none of them."""
+    looks = clause.negated and isinstance(clause.theme, Pronoun) and bool(clause.adjuncts)
+    return looks and all(isinstance(x, Quality) for x in clause.adjuncts)
+
+
+def _of_all_of_them(previous: Clause, item: Meaning) -> Meaning:
+    """ "(Three blocks, none of which is blue), on the mat": all of them are."""
+    none = previous.theme if isinstance(previous.theme, Noun) and previous.theme.det == "no" else None
+    looks = bool(previous.adjuncts) and all(isinstance(x, Quality) for x in previous.adjuncts)
+    same = isinstance(item, Clause) and getattr(item.theme, "word", "") == "same"
+    if none is None or none.part_of is None or not looks or not same or not isinstance(item, Clause):
+        return item
+    return replace(item, theme=none.part_of) if any(isinstance(x, Loc) for x in item.adjuncts) else item
 
 
 def _meant_again(

@@ -364,7 +364,8 @@ def _moved(p: Parser, i: int) -> Results[Meaning]:
             if high is None:
                 yield Loc(rel="moved", low=low, high=high, span=p.span(i, again)), again
     if other := max(_ELSEWHERE.matches(p, i), default=0):
-        yield Loc(rel="moved", low=0.05, mods=("else",), span=p.span(i, other)), other
+        mods = ("else", "aside") if p.words[other - 1] == "side" else ("else",)
+        yield Loc(rel="moved", low=0.05, mods=mods, span=p.span(i, other)), other
         for (low, high), j in bounds(p, p.opt(other, ",")):
             if high is None and (here := max(_FROM_HERE.matches(p, j), default=0)):
                 yield Loc(rel="moved", low=low, mods=("else",), span=p.span(i, here)), here

@@ -112,6 +112,7 @@ from rpg.language.grammar.rows.sums_on_a_patch import sums_on_a_patch
 from rpg.language.grammar.rows.swapped_over import swapped_over
 from rpg.language.grammar.rows.task_told import TASK_TOLD
 from rpg.language.grammar.rows.times import AT_THE_END, BEFORE_IT, IN_PASSING, OFF_FIRST
+from rpg.language.grammar.rows.told_in_brief import ASSIGNED, TOLD_IN_BRIEF
 from rpg.language.grammar.rows.told_once import TOLD_ONCE
 from rpg.language.grammar.rows.tower_orders import UPRIGHT_AT_ONCE, UPWARD, UPWARD_AT_ONCE
 from rpg.language.grammar.rows.towers import TOWERS, TOWERS_AT_ONCE
@@ -214,6 +215,7 @@ _OF_ALL = (
     *BESIDE_IT_AT_ONCE,
     *NOMINAL_AT_ONCE,
     *TURNED_ROUND_AT_ONCE,
+    *TOLD_IN_BRIEF,
 )
 """The rows of every sentence."""
 _OF_THE_UNREAD = (
@@ -285,6 +287,7 @@ AT_ONCE, UNREAD, OVER_ALL = (
     Turns(_OF_THE_UNREAD),
     Turns(
         (
+            *ASSIGNED,
             *IGNORED_THERE,
             *FALLEN,
             *IN_PASSING,

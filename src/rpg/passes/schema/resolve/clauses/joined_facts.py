@@ -94,7 +94,7 @@ def _alone(said: Clause) -> bool:
     if said.lemma not in ("fact", "") or said.mode != "goal" or said.negated or not block or len(places) != 1:
         return False
     match places[0]:
-        case Manner(kind="alone") | Loc(rel="moved", mods=("else",)):
+        case Manner(kind="alone") | Loc(rel="moved", mods=("else", *_)):
             return said.verb == "be"
         case Loc(rel="beside", landmark=Pronoun(word="itself")):
             return said.verb == "be"

@@ -32,6 +32,9 @@ def is_moved(clause: Clause, moves: list[Loc]) -> bool:
     if any(p.rel in RELS for p in moves):
         return True
     if clause.verb == "be" and clause.mode == "goal" and any("else" in p.mods for p in moves):
+        if any("aside" in p.mods for p in moves):
+            raise refuse("ambiguous", "beside the others, or away from where it is now?", clause.span,
+                         "say next to what it is, or 'move it to the side'")  # fmt: skip
         if clause.negated or clause.lemma == "fact":
             hint = "say 'move ... somewhere else'"
             raise refuse("misplaced", "it is not clear where else this is", clause.span, hint)

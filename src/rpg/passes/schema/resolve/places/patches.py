@@ -148,7 +148,8 @@ def like_the_last(loc: Loc, scene: Scene) -> bool:
             return False
         same = _other_patch(loc.landmark, [m for m in last if m.ref.span < loc.span], scene)
         one_of = any(not m.ref.patch and m.ref.quant is not None for m in told)
-        which = loc.landmark.traits == Traits() and one_of  # "One of them is on the mat. Put red on that one."
+        borne = any(not m.ref.patch and m.role == "theme" and m.sentence < scene.sentence for m in last)
+        which = loc.landmark.traits == Traits() and (one_of or borne)  # "Red is on the mat. Put blue on that one."
         if before and (which or _with_another_verb(loc.landmark, scene)):
             raise refuse("ambiguous", "this could be a block or a patch", loc.landmark.span, "say 'block' or 'patch'")
         return before or same or (bool(last) and all(m.ref.patch and m.role == "theme" for m in last))

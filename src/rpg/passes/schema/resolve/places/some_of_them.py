@@ -60,13 +60,25 @@ def _among_some(theme: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms | None:
 
 def from_all_others(theme: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms | None:
     """ "One of the five lies apart": from each other block that the task has in the end."""
-    single = len(theme.names) == 1 and theme.quant is None and not (theme.patch or theme.built)
-    alone = loc.rel == "apart" and getattr(loc.landmark, "word", "") == "each other"
-    if not (single and alone) or loc.negated or scene.denying:
+    if not _by_itself(theme, loc, scene):
         return None
     near: Callable[[str], g.Goal] = lambda n: g.Not(goal=r.Apart(a=theme.names, b=(n,), span=span), span=span)  # noqa: E731
     scene.exclusive.append(Exclusive(theme.names, near, span, Traits()))
     return [conj([denied(near(n), span) for n in beyond(scene.exclusive[-1], scene)])]
+
+
+def apart_there(theme: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms | None:
+    """ "(There are A and B in a row) and D by itself": it starts apart from those that were told of before it."""
+    others = [t.name for t in scene.things.values() if not t.patch and t.name not in theme.names]
+    if not _by_itself(theme, loc, scene) or not others:
+        return None
+    return [r.Apart(a=theme.names, b=(name,), span=span) for name in others]
+
+
+def _by_itself(theme: Ref, loc: Loc, scene: Scene) -> bool:
+    single = len(theme.names) == 1 and theme.quant is None and not (theme.patch or theme.built)
+    alone = loc.rel == "apart" and getattr(loc.landmark, "word", "") == "each other"
+    return single and alone and not loc.negated and not scene.denying
 
 
 def _of_some(span: Span) -> Refusal:

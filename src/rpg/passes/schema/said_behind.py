@@ -142,8 +142,6 @@ def _corner_of(sentence: Sequence[Token], task: TaskSchema) -> None:
 
 
 _TABLE = frozenset(lexicon.TABLE_NOUNS.split())
-
-
 _POLITE = frozenset({"please", "and", "but", "then", "always", "just"})
 _BEGIN = frozenset({"begin", "start"})
 _ARTICLES = frozenset({"the", "a", "one", "ones", "of", "with", "from"})

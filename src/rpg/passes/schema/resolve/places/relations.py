@@ -45,8 +45,7 @@ from rpg.passes.schema.resolve.places.patches import (
 from rpg.passes.schema.resolve.places.side_lengths import MEASURES, so_large
 from rpg.passes.schema.resolve.places.some_of_them import (
     any_one,
-    apart_there,
-    from_all_others,
+    by_itself,
     none_of_others,
     to_each_other,
     to_others,
@@ -161,7 +160,7 @@ def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
         return to_each_other(theme, loc, scene, span) if mutual else to_others(theme, loc, span)
     if (apart_from := none_another(theme, loc, scene, span, _relate)) is not None:
         return apart_from
-    if (alone := (apart_there if scope.given else from_all_others)(theme, loc, scene, span)) is not None:
+    if (alone := by_itself(theme, loc, scene, scope, span)) is not None:
         return alone
     like = scope.like_patch or (loc.rel in ("on", "in") and like_the_last(loc, scene))
     if (apart := on_separate_patches(theme, loc, scene, scope, span)) is not None:

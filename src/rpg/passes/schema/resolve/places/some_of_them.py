@@ -16,7 +16,7 @@ from rpg.passes.schema.resolve.orders.positions import looks
 from rpg.passes.schema.resolve.places.alone import beyond
 from rpg.passes.schema.resolve.places.mutual import ALL_OTHERS, of_every_two, reciprocal, some_other
 from rpg.passes.schema.resolve.things.operands import DIRECTIONS, LEVEL
-from rpg.passes.schema.resolve.things.world import Exclusive, Ref, Scene, Thing, refuse
+from rpg.passes.schema.resolve.things.world import Exclusive, Ref, Scene, Scope, Thing, refuse
 
 
 def to_each_other(theme: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
@@ -58,27 +58,26 @@ def _among_some(theme: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms | None:
     return [disj([conj(_just_these(lot, theme.names, loc, span), span) for lot in lots], span)]
 
 
-def from_all_others(theme: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms | None:
-    """ "One of the five lies apart": from each other block that the task has in the end."""
-    if not _by_itself(theme, loc, scene):
+def by_itself(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms | None:
+    """What it says of one block that it is by itself; None where it does not say so."""
+    single = len(theme.names) == 1 and theme.quant is None and not (theme.patch or theme.built)
+    alone = loc.rel == "apart" and getattr(loc.landmark, "word", "") == "each other"
+    if not (single and alone) or loc.negated or scene.denying:
         return None
+    return (_apart_there if scope.given else _from_all_others)(theme, scene, span)
+
+
+def _from_all_others(theme: Ref, scene: Scene, span: Span) -> Atoms:
+    """ "One of the five lies apart": from each other block that the task has in the end."""
     near: Callable[[str], g.Goal] = lambda n: g.Not(goal=r.Apart(a=theme.names, b=(n,), span=span), span=span)  # noqa: E731
     scene.exclusive.append(Exclusive(theme.names, near, span, Traits()))
     return [conj([denied(near(n), span) for n in beyond(scene.exclusive[-1], scene)])]
 
 
-def apart_there(theme: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms | None:
+def _apart_there(theme: Ref, scene: Scene, span: Span) -> Atoms | None:
     """ "(There are A and B in a row) and D by itself": it starts apart from those that were told of before it."""
     others = [t.name for t in scene.things.values() if not t.patch and t.name not in theme.names]
-    if not _by_itself(theme, loc, scene) or not others:
-        return None
-    return [r.Apart(a=theme.names, b=(name,), span=span) for name in others]
-
-
-def _by_itself(theme: Ref, loc: Loc, scene: Scene) -> bool:
-    single = len(theme.names) == 1 and theme.quant is None and not (theme.patch or theme.built)
-    alone = loc.rel == "apart" and getattr(loc.landmark, "word", "") == "each other"
-    return single and alone and not loc.negated and not scene.denying
+    return [r.Apart(a=theme.names, b=(name,), span=span) for name in others] or None
 
 
 def _of_some(span: Span) -> Refusal:

@@ -17,7 +17,7 @@ _TYPED = {
     "shld": "should", "shud": "should", "shd": "should", "wud": "would", "wld": "would",
     "cud": "could", "cld": "could", "ya": "you", "yall": "you", "da": "the", "de": "the", "dis": "this", "dat": "that",
     "dem": "them", "cuz": "because", "bcs": "because", "bcuz": "because", "nxt": "next", "bhnd": "behind",
-    "sry": "sorry", "tho": "though", "frm": "from", "ther": "there", "thre": "there", "evry": "every", "othr": "other",
+    "sry": "sorry", "tho": "though", "frm": "from", "ther": "there", "evry": "every", "othr": "other",
     "wth": "with", "lil": "little", "smth": "something", "blu": "blue", "abv": "above", "blw": "below", "hv": "have",
     "nd": "and", "tht": "that", "ths": "this", "th": "the", "frnt": "front", "kk": "okay",
 }  # fmt: skip

@@ -131,11 +131,6 @@ MEANT: dict[str, dict[str, Any]] = {
             "pink^pink ; gray ; gray",
         ],
     },
-    "The white block goes behind the pink one and the gray one in front of it.": {
-        "assets": {"white": 1, "pink": 1, "gray": 1},
-        "hold": ["white | pink | gray"],
-        "miss": ["gray | pink | white", "gray | white | pink", "pink | gray | white"],
-    },
     "Put the two pink blocks on the brown mat, one on top of the other.": {
         "assets": {"pink": 2, "brown_patch": 1},
         "hold": ["at=brown_patch pink^pink"],

@@ -38,7 +38,7 @@ def bears(scene: Scene, ref: Ref, said: Bears) -> None:
         place(scene, first, ref if own else resolve(scene, said.place.of), said.place)
         return
     if ref.kind == "patch":
-        _bear_on_patches(scene, ref, said.what)
+        _bear_on_patches(scene, replace(ref, each=ref.each or said.each), said.what)
         return
     tops = tops_of(scene, ref)
     what = said.what
@@ -54,6 +54,8 @@ def _bear_on_patches(scene: Scene, ref: Ref, what: Phrase) -> None:
     """ "Each mat gets a tower of two", "the two mats carry a white block each": what lies on each of these."""
     if not isinstance(what, Noun) or what.det not in {"a", ""} or what.many or what.count > 1:
         raise Unclear
+    if len(ref.ids) > 1 and not ref.each:
+        raise Unclear  # "the red and the blue mat get one block"
     for n in ref.ids:
         one = resolve(scene, what)
         if not one.fresh or one.kind not in {"block", "figure"}:

@@ -71,6 +71,8 @@ def keep_clear(scene: Scene) -> None:
         if there and not other:
             raise Unclear
         rest = [n for n in range(len(scene.blocks)) if n not in own and n not in there]
+        if not rest:
+            raise Unclear  # there are no others that could be there
         scene.facts += [Fact(Ref("block", [n]), said, target, no=True, stage=stage) for n in rest]
     scene.clear = []
 

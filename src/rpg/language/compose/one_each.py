@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from rpg.language.compose.items import FIGURES
 from rpg.language.compose.nouns import resolve
 from rpg.language.compose.relating import place
 from rpg.language.compose.resting import on
@@ -47,6 +48,8 @@ def each_of_a_new_one(subject: Phrase, said: Sequence[Predicate]) -> bool:
     if not isinstance(subject, Noun) or not isinstance(target, Noun):
         return False
     several = any_number(subject)
+    if said[0].relation == "next" and subject.noun in FIGURES:
+        return False  # "a tower next to each of two blocks": one for all of them, or one for each
     if said[0].relation != "on" and target.det != "each":
         return False  # to the left of both of them at once
     if target.det not in {"each", "both", "all"} and not (several and target.det == "the" and target.count > 1):

@@ -128,13 +128,12 @@ def _one_of_several(scene: Scene, spoken: Sequence[Ref]) -> list[Ref]:
 def landmark(scene: Scene, said: Place) -> Ref | None:
     """What "it" is, where things are told around it before: "(A and B left of D,) C right of it and E on it".
 
-    What is first told to be at a part of a figure, and then another at its other side, is told around that part; so is
-    what is told with one verb."""
+    What is first told to be at a part of a figure, and then another at its other side, is told around that part."""
     if scene.around is None or said.of not in {Pronoun("it"), Pronoun("its")} or _others(scene, scene.here):
         return None
     relation, target, by_it = scene.around
     inside = target.kind == "block" and _is_member(scene, target.ids[0])
-    other_side = (inside or scene.joined) and _OPPOSITE.get(relation) == said.relation
+    other_side = inside and _OPPOSITE.get(relation) == said.relation
     return target if other_side or (by_it and relation != said.relation) else None
 
 

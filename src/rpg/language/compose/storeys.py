@@ -84,6 +84,9 @@ class Storeys(Series):
                 mark, end = self._mark(kind, end + (self.text(end) in {"is", "goes", "comes"}), end)
             if mark:
                 marks[len(parts)] = mark
+                alone = len(parts) - 1 not in marks and self.text(start - 1) == "and" and self.text(start - 2) != ","
+                if parts and alone and begin == start:
+                    break  # "red at the bottom, blue and green on top": both of them are on top
             parts.append(part)
             if chain := _chain(parts, marks, *_ENDS[kind]):
                 found.append((chain, end))

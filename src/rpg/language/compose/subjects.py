@@ -138,9 +138,19 @@ def one_that_lies(scene: Scene, clause: Clause) -> Phrase:
     return replace(subject, noun="block") if blocks else subject
 
 
+def _is_lower(scene: Scene, block: int) -> bool:
+    """Whether a block is in a tower of blocks that look alike, and not on top of it."""
+    tower = scene.figure_of(block)
+    if tower is None or tower.kind != "tower" or tower.implied:
+        return False
+    return block in tower.blocks[:-1] and scene.alike(tower.blocks)
+
+
 def check_subject(scene: Scene, clause: Clause, ref: Ref) -> None:
     """Raises Unclear where something may be said of other blocks than of those."""
     subject = clause.subject
+    if clause.mood == "build" and not ref.fresh and any(isinstance(said, Looks) for said in clause.predicates):
+        raise Unclear  # "make each of them red": what is there has its colour
     in_turn = [said.of for said in clause.predicates if isinstance(said, Place) and said.how == "respectively"]
     for of in (subject, *in_turn) if in_turn else ():
         if not isinstance(of, Both) or of.either or any(not _is_one(part) for part in of.parts):
@@ -159,6 +169,9 @@ def check_subject(scene: Scene, clause: Clause, ref: Ref) -> None:
         denied = any(isinstance(said, Place) and said.no for said in clause.predicates)
         if denied and subject.det in {"a", "another", ""} and not subject.of and like > 1:
             raise Unclear  # of one of them, or of none
+        moves = clause.mood == "put" and bool(subject.ranks or subject.of or subject.nth)
+        if moves and any(_is_lower(scene, n) for n in ref.ids[:1]):
+            raise Unclear  # one that looks like it, and lies on top, would do
         bears = all(isinstance(said, Bears) for said in clause.predicates)
         built = [f for f in scene.figures if not f.implied and f.stage == scene.stage]
         moved = clause.mood == "put" and bool(subject.ranks or subject.of) and not bears

@@ -143,6 +143,7 @@ class Bears:
 
     what: Phrase | None
     place: Place | None = None
+    each: bool = False
 
 
 @dataclass(frozen=True, slots=True)

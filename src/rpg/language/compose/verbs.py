@@ -193,7 +193,8 @@ class Verbs(Looking):
                 continue
             found += [((Looks(like),), stop) for like, stop in self.storeys(end)]
             for what, stop in self.phrase(end):
-                found.append(((Bears(what),), stop + (self.text(stop) == "each")))
+                of_each = self.text(stop) == "each"
+                found.append(((Bears(what, each=of_each or self.text(start - 1) == "each"),), stop + of_each))
                 found += self._borne(what, stop)
         if (end := self.past_any(start, "contain", "contains", "include", "includes")) and not denied:
             found += [((Holds(what),), stop) for what, stop in self.single(end)]

@@ -66,7 +66,7 @@ from rpg.passes.schema.resolve.things.world import WhichOne
 from rpg.passes.schema.respelt import Respelt
 from rpg.passes.schema.said_behind import check_behind
 from rpg.passes.schema.second_opinion import check_guess
-from rpg.passes.schema.told_there import check_numbers, check_told, check_told_again, check_wanted
+from rpg.passes.schema.told_there import check_none_added, check_numbers, check_told, check_wanted
 
 Reading = tuple[TaskSchema | None, tuple[Diagnostic, ...]]
 
@@ -265,7 +265,7 @@ class BuiltinFrontEnd:
                 task = either_task([task for task, _ in read]) if len(read) > 1 else read[0][0]
                 if task is not None:
                     check_behind(words, task)
-                    check_told_again(words, task)
+                    check_none_added(words, task)
                     return task, read[0][1]
         return None, ()
 

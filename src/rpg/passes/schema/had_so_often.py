@@ -103,7 +103,7 @@ def _too_many(text: str, looks: Counter[str]) -> _Asked:
             yield "one block between the towers, or one in each of them?", "say what is in each of the towers"
     for found in _IN_THE_MIDDLE.finditer(text):
         counted = [number(many) for many in _numbers_of(found[1], text)]
-        if counted and looks[lexicon.COLOR[found[1]]] > sum(counted):
+        if counted and min(counted) > 1 and looks[lexicon.COLOR[found[1]]] > sum(counted):
             yield "another block in the middle, or the one that was told?", "say between which others it is"
 
 
@@ -138,6 +138,8 @@ def _which(text: str, looks: Counter[str], task: TaskSchema) -> _Asked:
     for pattern in (*_ONE_ON_BOTH, _ONE_ON_THEM):
         for found in pattern.finditer(text):
             color, told = lexicon.COLOR[found["look"]], text.split().count(found["look"])
+            if text[found.end() :].split()[:1] in (["end"], ["ends"], ["outer"], ["corner"], ["corners"]):
+                continue  # "on both end blocks": one on each
             alone = pattern is not _ONE_ON_THEM and looks[color] == 1
             if told == 1 and (looks[color] > 1 or (alone and _on_one(color, task))):
                 yield asked

@@ -54,7 +54,8 @@ def check_there_of_which(tokens: Sequence[Token], task: TaskSchema) -> None:
     texts = [([t for t in sentence if t.word not in STOPS]) for sentence in sentences([*tokens])]
     for said in texts:
         text = " ".join(token.word for token in said)
-        _the_last_alone(said, text, task)
+        if len(texts) > 1 or any(token.word in lexicon.STRUCTURE for token in said):  # else the whole list is meant
+            _the_last_alone(said, text, task)
         _side_of_which(said, text, task)
         _assigned(said, text, task)
         _same_in_a_color(said, text, task)

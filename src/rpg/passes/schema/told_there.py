@@ -73,27 +73,7 @@ def check_numbers(said: list[Token], words: Sequence[Token], found: Feasibility)
             raise refuse("misplaced", f"{LOST} of {token.raw!r}", token.span, "say this part in a sentence of its own")
 
 
-def check_told_again(said: list[Token], task: TaskSchema) -> None:
-    """Refuse a task of a text told again where a number, a colour or a symbol was lost on the way, "a red block
-    at each end and three blocks in between that are white" as a tower of three, or where blocks were added."""
-    called = _figures_called(said)
-    for token in unfounded(corrected(said), task):
-        if token.span not in called and (_number(token) or token.word in lexicon.COLOR or len(token.raw) == 1):
-            raise refuse("misplaced", f"{LOST} of {token.raw!r}", token.span, "say this part in a sentence of its own")
-    _check_none_added(said, task)
-
-
-def _figures_called(said: list[Token]) -> set[tuple[int, int]]:
-    """Where figures are called by a letter or a digit, "tower A has two red blocks ...; tower A is left of tower B"."""
-    pairs = [(name, behind) for noun, name, behind in zip(said, said[1:], said[2:], strict=False)
-             if noun.word in lexicon.STRUCTURE and len(name.raw) == 1]  # fmt: skip
-    names = {name.word for name, behind in pairs if behind.word in (":", "has", "is", "consists", "contains")}
-    counted = {name.span for noun, name in pairwise(said) if noun.word in _COUNTED_OFF}  # "position 1 red, position 2"
-    return counted | {name.span for noun, name in pairwise(said)
-            if name.word in names and (noun.word in lexicon.STRUCTURE or name.raw.isupper())}  # fmt: skip
-
-
-def _check_none_added(words: list[Token], task: TaskSchema) -> None:
+def check_none_added(words: list[Token], task: TaskSchema) -> None:
     """Refuse more blocks of a look than a text begins with: "there are 2 red and 4 white cubes, make 2 rows of three,
     red in front" has no row of three red ones beside the two."""
     told = [token.word for token in words]
@@ -131,7 +111,6 @@ def _look(block: Block) -> str:
     return (block.label or block.color) if isinstance(block, SemanticCube) else block.color
 
 
-_COUNTED_OFF = frozenset({"position", "place", "slot", "cell", "spot", "number", "no", "nr", "field", "seat"})
 _IDLE = frozenset({"distractor", "distractors", "anywhere", "ignore", "ignored", "unused"})
 
 

@@ -4,7 +4,7 @@ green block left over", "red=left", "nothing is stacked"."""
 from __future__ import annotations
 
 from rpg.language.grammar.rows.turned import Turn
-from rpg.language.grammar.rows.vocabulary import AND, COLOR, CUBE, MANY, PATCH
+from rpg.language.grammar.rows.vocabulary import AND, COLOR, CUBE, MANY
 
 _NAME = f"(?:the )?(?:{COLOR}|[a-z])(?: one| {CUBE})?"
 _PAIRED = "(?:next to each other|next to one another|side by side|beside each other|beside one another)"
@@ -21,11 +21,6 @@ TOLD_IN_BRIEF: tuple[Turn, ...] = (
     # no part of what is built
     (f"({AND}) ((?:an?|one) (?:\\w+ )?(?:{CUBE}|one)) (?:left over|is left)$", "{1} {2} is left over"),
     (f"({AND}) ({MANY} (?:\\w+ )?(?:{CUBE}s|ones)) (?:left over|are left)$", "{1} {2} are left over"),
-    # there, but not on the mat as the other one
-    (
-        f"^there (?:is|are) (an? (?:\\w+ ){{1,2}}), and (an? (?:\\w+ ){{1,2}}on (?:the|an?) (?:{COLOR} )?{PATCH})$",
-        "there is {1} . there is {2}",
-    ),
     # before anything is built
     (f"^{_AT_FIRST}(?: ,)? nothing is stacked(?: up)?(?: yet)?$", "at the start , no block is on another"),
     (f"^nothing is stacked(?: up)?(?: yet)?(?: ,)? {_AT_FIRST}$", "at the start , no block is on another"),

@@ -55,7 +55,7 @@ def _of_l(parts: dict[str, Limb], total: int) -> tuple[tuple[int, int], str]:
         return (0, 0), way
     if not total and not short:
         raise Unclear
-    if not total and short > 1:
+    if short > 1 and total != count + short - 1:
         raise Unclear  # with the corner, or without it
     total = total or count + short
     if short and total not in {count + short, count + short - 1}:

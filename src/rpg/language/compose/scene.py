@@ -136,9 +136,8 @@ class Scene:
 
     `stock`: lots that the text says there are; `whole` is the lot of which some were told apart last, `taken` those.
     `subject` is what something is being said of, `place` the one of a figure that was told last, `around`
-    what the clause ahead puts something at: in which relation, and whether it was told as "it"; `joined`: this clause
-    has the verb of the one ahead; `placed` are figures that are put somewhere, so that it is no part of them that
-    they are put at.
+    what the clause ahead puts something at: in which relation, and whether it was told as "it"; `placed` are
+    figures that are put somewhere, so that it is no part of them that they are put at.
     `pending`: blocks that lie somewhere on others, and it has still to be said on which of them. `lines`: towers that
     stand in a row; `asked`: something is to be put somewhere; `looked`: it was told how places of
     figures look, so that the others have to be told, too; `facing`: figures told by their sides, as "the left
@@ -169,7 +168,6 @@ class Scene:
     subject: tuple[str, list[int]] | None = None
     place: tuple[Figure, int] | None = None
     placed: list[int] = field(default_factory=list)
-    joined: bool = False
     around: tuple[str, Ref, bool] | None = None
     pending: list[tuple[list[int], list[int]]] = field(default_factory=list)
     lines: list[list[int]] = field(default_factory=list)

@@ -103,7 +103,6 @@ def say(scene: Scene, clause: Clause) -> None:
 def _say_all(scene: Scene, clause: Clause) -> None:
     """What a clause says, behind what it tells by the way."""
     clause, besides = told_besides(clause)
-    scene.joined = clause.joined
     for told in besides:
         _say(scene, told)
     _say(scene, clause)

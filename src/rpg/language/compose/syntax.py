@@ -265,7 +265,7 @@ class Clause:
     "seen" what a picture shows, "reads" what one reads there, "start" and "end" what is so then, "may" what is allowed,
     "change" what becomes of what is there; "lies" tells what there is before that. `aside`: what is told between the
     subject and its verb. `first`, `later`: "first", "then". `other`: what else may be so instead. `only`: it is so of
-    nothing else. `fronted`: the place is told ahead. `joined`: it has the verb of the clause ahead.
+    nothing else. `fronted`: the place is told ahead.
     """
 
     subject: Phrase
@@ -277,7 +277,6 @@ class Clause:
     other: Clause | None = None
     only: bool = False
     fronted: bool = False
-    joined: bool = False
 
 
 def is_figure(phrase: Phrase, but: str = "") -> bool:

@@ -132,7 +132,6 @@ def _behind(last: Step, clause: Clause) -> Clause:
     told = last.joined and not clause.mood and all(map(_is_new, clause.predicates))
     if told and any(map(_is_either, last.clause.predicates)):
         raise Unclear  # "put A on B or C, and D on the mat": what does "and" join, and what "or"?
-    clause = replace(clause, joined=last.joined and not clause.mood and bool(clause.predicates))
     if not last.joined or clause.mood or not clause.predicates or last.clause.mood != "put":
         return clause
     stacked = last.clause.predicates[:1]
